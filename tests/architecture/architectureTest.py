@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails when an include points the wrong way between the rooms, or when a file has grown too long.
+
+usage: architectureTest.py <root of the repository>
+"""
+import re
+import sys
+from pathlib import Path
+
+# What each room may include of this repository besides itself.
+ARROWS = {
+    "coupling/laws": [],
+    "coupling/exchange": ["coupling/laws"],
+    "coupling/dem": ["coupling/laws"],
+    "coupling/mesh": ["coupling/laws", "coupling/exchange"],
+    "coupling/effects": ["coupling/laws"],
+}
+# Engines a room must not see: the headers' own style gives them away.
+FOREIGN = {
+    "coupling/laws": r'mpi\.h|lammps|.*\.H$',
+    "coupling/exchange": r'lammps|.*\.H$',
+    "coupling/dem": r'.*\.H$',
+    "coupling/mesh": r'lammps|fix_.*\.h$',
+    "coupling/effects": r'mpi\.h|lammps|.*\.H$',
+}
+LONGEST = 400
+CODE = {".hpp", ".cpp", ".H", ".C"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def complaints(root):
+    for top in ("coupling", "solvers", "tests"):
+        for path in sorted((root / top).rglob("*")):
+            if path.is_file() and path.suffix in CODE | {".py", ".sh", ".cmake", ".txt"}:
+                name = path.relative_to(root).as_posix()
+                lines = path.read_text().splitlines()
+                if len(lines) > LONGEST:
+                    yield f"{name}: {len(lines)} lines; at most {LONGEST} are wanted: split it"
+                if path.suffix in CODE:
+                    yield from wrongArrows(name, lines)
+
+
+def wrongArrows(name, lines):
+    room = next((room for room in ARROWS if name.startswith(room + "/")), None)
+    for number, line in enumerate(lines, 1):
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        target = match.group(1)
+        here = f"{name}:{number}: {line.strip()}"
+        if target.startswith("../"):
+            yield f"{here}: name it from the root of the repository"
+        elif room and target.startswith(("coupling/", "solvers/", "tests/")):
+            allowed = [room] + ARROWS[room]
+            if not any(target.startswith(place + "/") for place in allowed):
+                yield f"{here}: {room} may include only {', '.join(allowed)}"
+        elif room and re.match(FOREIGN[room], target):
+            yield f"{here}: {room} must not know that engine"
+        elif name.startswith("solvers/") and re.match(r"coupling/\w+/", target):
+            yield f"{here}: solvers see the front of the library (coupling/*.hpp) only"
+
+
+found = list(complaints(Path(sys.argv[1])))
+print("\n".join(found) or "Every include points the right way, and no file is too long.")
+sys.exit(bool(found))
