@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/laws/RigidPose.hpp"
+
 #include <mpi.h>
 
 #include <array>
@@ -60,20 +62,10 @@ struct DemBox
 
 using Triangle = std::array<Vector3, 3>;
 
-/// Where a mesh wall is now, relative to its place at couple().
-///
-///     x_now = rotation x_reference + translation
-///     v(x)  = velocity + angularVelocity x (x - translation)
-struct WallPose
-{
-    std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1}; ///< row by row [-]
-    Vector3 translation{};                                     ///< [m]
-    Vector3 velocity{};        ///< in the last DEM step [m/s]; zero before the first one
-    Vector3 angularVelocity{}; ///< in the last DEM step [1/s]
-
-    /// Velocity [m/s] of the wall's material at a point [m].
-    Vector3 velocityAt(const Vector3& point) const;
-};
+/// Where a mesh wall is now, relative to its place when its triangles were recorded (couple(),
+/// or the first set-up after its definition). Velocities are those of the last DEM step, zero
+/// before the first one.
+using WallPose = RigidPose;
 
 /// LIGGGHTS, opened on a communicator, driven by an ordinary script and then by the air.
 ///

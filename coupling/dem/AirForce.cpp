@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/dem/AirForce.hpp"
+
+#include "coupling/laws/ImplicitDrag.hpp"
+
+#include <lammps.h>
+
+#include <atom.h>
+#include <fix_external.h>
+#include <fix_property_atom.h>
+#include <input.h>
+#include <modify.h>
+#include <update.h>
+
+#include <algorithm>
+#include <string>
+
+namespace interstice::dem
+{
+
+namespace
+{
+
+const char* const airId = "interstice_air";
+const char* const forceId = "interstice_force";
+
+/// Columns of a particle's row.
+enum Column
+{
+    gasVelocity = 0,     // 3
+    dragCoefficient = 3, // b
+    gasForce = 4,        // 3
+    dragImpulse = 7,     // 3
+    slipWeight = 10,     // b phi(x) over a whole step, x = b dt/m
+    restWeight = 11,     // phi(x) - 1
+    columns = 12
+};
+
+} // namespace
+
+AirForce::AirForce(LAMMPS_NS::LAMMPS& liggghts) : liggghts_(liggghts)
+{
+    std::string rows = std::string("fix ") + airId + " all property/atom " + airId
+        + " vector no no no";
+    for (int column = 0; column < columns; ++column)
+    {
+        rows += " 0.0";
+    }
+    liggghts_.input->one(rows.c_str());
+    air_ = dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts_.modify->find_fix_id(airId));
+    defineForce();
+}
+
+void AirForce::defineForce()
+{
+    const std::string text = std::string("fix ") + forceId + " all external pf/callback 1 1";
+    liggghts_.input->one(text.c_str());
+    force_ = dynamic_cast<LAMMPS_NS::FixExternal*>(liggghts_.modify->find_fix_id(forceId));
+    force_->set_callback(
+        [](void* self, LAMMPS_NS::bigint step, int, int*, double**, double** external)
+        { static_cast<AirForce*>(self)->act(step, external); },
+        this);
+}
+
+void AirForce::actLast()
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_.modify;
+    const auto isForce = [](int mask) { return (mask & LAMMPS_NS::FixConst::POST_FORCE) != 0; };
+    const int after = liggghts_.modify->find_fix(forceId) + 1;
+
+    if (std::any_of(modify.fmask + after, modify.fmask + modify.nfix, isForce))
+    {
+        liggghts_.input->one((std::string("unfix ") + forceId).c_str());
+        defineForce();
+    }
+}
+
+void AirForce::setGas(int slot, const GasState& gas, const Vector3& startImpulse)
+{
+    double* row = air_->array_atom[slot];
+    row[dragCoefficient] = gas.dragCoefficient;
+    for (int k = 0; k < 3; ++k)
+    {
+        row[gasVelocity + k] = gas.velocity[k];
+        row[gasForce + k] = gas.force[k];
+        row[dragImpulse + k] = startImpulse[k];
+    }
+}
+
+Vector3 AirForce::impulse(int slot) const
+{
+    const double* sum = air_->array_atom[slot] + dragImpulse;
+    return {sum[0], sum[1], sum[2]};
+}
+
+void AirForce::begin(long long lastStep)
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    const double dt = liggghts_.update->dt;
+
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        double* air = air_->array_atom[i];
+        double* applied = force_->fexternal[i];
+        const double b = air[dragCoefficient];
+
+        // Fixed for the interval, so the exponentials are paid once.
+        const double whole = meanSlip(b*dt/atom.rmass[i]);
+        air[slipWeight] = b*whole;
+        air[restWeight] = whole - 1;
+
+        // LIGGGHTS still holds the last force of the interval before. Its second half step is
+        // now taken in the new air.
+        const ImplicitDrag opening(b, atom.rmass[i], 0.5*dt);
+        for (int k = 0; k < 3; ++k)
+        {
+            const double others = atom.f[i][k] - applied[k] + air[gasForce + k];
+            const double drag = opening.force(air[gasVelocity + k] - atom.v[i][k], others);
+            const double force = drag + air[gasForce + k];
+            air[dragImpulse + k] += 0.5*dt*drag;
+            atom.f[i][k] += force - applied[k];
+            applied[k] = force;
+        }
+    }
+    lastStep_ = lastStep;
+    blowing_ = true;
+}
+
+void AirForce::end()
+{
+    blowing_ = false;
+}
+
+void AirForce::act(long long step, double** external)
+{
+    if (!blowing_)
+    {
+        // A set-up, or a run by a command of the user: begin() counts on finding no air in it.
+        for (int i = 0; i < liggghts_.atom->nlocal; ++i)
+        {
+            std::fill_n(external[i], 3, 0.0);
+        }
+    }
+    else if (step < lastStep_)
+    {
+        actOverWholeStep(external);
+    }
+    else
+    {
+        actOverClosingHalf(external);
+    }
+}
+
+void AirForce::actOverWholeStep(double** external)
+{
+    const int count = liggghts_.atom->nlocal;
+    const double* const* velocity = liggghts_.atom->v;
+    const double* const* others = liggghts_.atom->f;
+    double** rows = air_->array_atom;
+    const double dt = liggghts_.update->dt;
+
+    for (int i = 0; i < count; ++i)
+    {
+        double* air = rows[i];
+        const double onSlip = air[slipWeight];
+        const double onRest = air[restWeight];
+        for (int k = 0; k < 3; ++k)
+        {
+            const double slip = air[gasVelocity + k] - velocity[i][k];
+            const double drag = onSlip*slip + onRest*(others[i][k] + air[gasForce + k]);
+            air[dragImpulse + k] += dt*drag;
+            external[i][k] = drag + air[gasForce + k];
+        }
+    }
+}
+
+void AirForce::actOverClosingHalf(double** external)
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    const double dt = liggghts_.update->dt;
+
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        double* air = air_->array_atom[i];
+        const ImplicitDrag closing(air[dragCoefficient], atom.rmass[i], 0.5*dt);
+        for (int k = 0; k < 3; ++k)
+        {
+            const double others = atom.f[i][k] + air[gasForce + k];
+            const double drag = closing.force(air[gasVelocity + k] - atom.v[i][k], others);
+            air[dragImpulse + k] += 0.5*dt*drag;
+            external[i][k] = drag + air[gasForce + k];
+        }
+    }
+}
+
+} // namespace interstice::dem

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/dem/DemEngine.hpp"
+
+namespace LAMMPS_NS
+{
+class LAMMPS;
+class FixExternal;
+class FixPropertyAtom;
+} // namespace LAMMPS_NS
+
+namespace interstice::dem
+{
+
+/// The air's forces inside LIGGGHTS: one row of numbers a particle, and a loop in every DEM step.
+///
+/// The rows are a `fix property/atom`, so LIGGGHTS sorts them and sends them along with the
+/// particles. The forces enter through `fix external`, which must act after every other force,
+/// because the exact solution for drag needs the sum of the others.
+class AirForce
+{
+public:
+    /// Defines both fixes. Collective.
+    explicit AirForce(LAMMPS_NS::LAMMPS& liggghts);
+
+    /// Makes the force the last one again if a command has defined others. Collective.
+    void actLast();
+
+    /// Local, as in DemEngine.
+    void setGas(int slot, const GasState& gas, const Vector3& startImpulse);
+    Vector3 impulse(int slot) const;
+
+    /// Starts an interval that ends with LIGGGHTS' step number `lastStep`: puts the half step
+    /// that comes before the first new force into the forces that LIGGGHTS holds. Local.
+    void begin(long long lastStep);
+
+    /// Ends the interval: from now on the air is at rest. Local.
+    void end();
+
+private:
+    void defineForce();
+    void act(long long step, double** external);
+    void actOverWholeStep(double** external);
+    void actOverClosingHalf(double** external);
+
+    LAMMPS_NS::LAMMPS& liggghts_;
+    LAMMPS_NS::FixPropertyAtom* air_ = nullptr;
+    LAMMPS_NS::FixExternal* force_ = nullptr;
+    bool blowing_ = false;
+    long long lastStep_ = 0;
+};
+
+} // namespace interstice::dem

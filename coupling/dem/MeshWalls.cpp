@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/dem/MeshWalls.hpp"
+
+#include "coupling/dem/RigidMotion.hpp"
+#include "coupling/laws/InputError.hpp"
+
+#include <lammps.h>
+
+#include <custom_value_tracker.h>
+#include <fix_mesh_surface.h>
+#include <modify.h>
+#include <tri_mesh.h>
+
+#include <algorithm>
+#include <array>
+
+namespace interstice::dem
+{
+
+namespace
+{
+
+/// A triangle's number and its nodes, as it travels.
+constexpr int recordSize = 10;
+
+Triangle nodesOf(LAMMPS_NS::TriMesh& mesh, int element)
+{
+    Triangle nodes{};
+    for (int j = 0; j < 3; ++j)
+    {
+        mesh.node(element, j, nodes[j].data());
+    }
+    return nodes;
+}
+
+} // namespace
+
+MeshWalls::MeshWalls(LAMMPS_NS::LAMMPS& liggghts, MPI_Comm communicator)
+    : liggghts_(liggghts), communicator_(communicator)
+{
+}
+
+std::vector<LAMMPS_NS::FixMeshSurface*> MeshWalls::surfaces() const
+{
+    std::vector<LAMMPS_NS::FixMeshSurface*> found;
+    for (int i = 0; i < liggghts_.modify->nfix; ++i)
+    {
+        if (auto* surface = dynamic_cast<LAMMPS_NS::FixMeshSurface*>(liggghts_.modify->fix[i]))
+        {
+            found.push_back(surface);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> MeshWalls::ids() const
+{
+    std::vector<std::string> names;
+    for (const LAMMPS_NS::FixMeshSurface* surface : surfaces())
+    {
+        names.emplace_back(surface->id);
+    }
+    return names;
+}
+
+void MeshWalls::record()
+{
+    for (LAMMPS_NS::FixMeshSurface* surface : surfaces())
+    {
+        if (walls_.count(surface->id) == 0)
+        {
+            walls_[surface->id] = gather(*surface);
+        }
+    }
+}
+
+MeshWalls::Wall MeshWalls::gather(LAMMPS_NS::FixMeshSurface& surface) const
+{
+    LAMMPS_NS::TriMesh& mesh = *surface.triMesh();
+    std::vector<double> mine;
+    for (int i = 0; i < mesh.sizeLocal(); ++i)
+    {
+        mine.push_back(mesh.id(i));
+        for (const Vector3& node : nodesOf(mesh, i))
+        {
+            mine.insert(mine.end(), node.begin(), node.end());
+        }
+    }
+
+    int ranks = 0;
+    MPI_Comm_size(communicator_, &ranks);
+    const int size = static_cast<int>(mine.size());
+    std::vector<int> sizes(ranks);
+    MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator_);
+    std::vector<int> offsets(ranks + 1, 0);
+    for (int rank = 0; rank < ranks; ++rank)
+    {
+        offsets[rank + 1] = offsets[rank] + sizes[rank];
+    }
+    std::vector<double> all(offsets[ranks]);
+    MPI_Allgatherv(
+        mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE,
+        communicator_);
+
+    // By number, so that the answer does not depend on the ranks.
+    std::map<int, Triangle> byNumber;
+    for (std::size_t at = 0; at < all.size(); at += recordSize)
+    {
+        Triangle& triangle = byNumber[static_cast<int>(all[at])];
+        for (int j = 0; j < 3; ++j)
+        {
+            std::copy_n(all.data() + at + 1 + 3*j, 3, triangle[j].begin());
+        }
+    }
+
+    Wall wall;
+    double largest = 0;
+    for (const auto& [number, triangle] : byNumber)
+    {
+        wall.triangles.push_back(triangle);
+        const double area = areaOf(triangle);
+        if (area > largest)
+        {
+            largest = area;
+            wall.marker = number;
+            wall.markerAtRest = triangle;
+        }
+    }
+    return wall;
+}
+
+const MeshWalls::Wall& MeshWalls::wall(const std::string& id) const
+{
+    const auto found = walls_.find(id);
+    const std::vector<std::string> existing = ids();
+    if (found == walls_.end()
+        || std::find(existing.begin(), existing.end(), id) == existing.end())
+    {
+        throw unknownName("mesh wall", id, existing, "LIGGGHTS script, fix ... mesh/surface");
+    }
+    return found->second;
+}
+
+const std::vector<Triangle>& MeshWalls::triangles(const std::string& id) const
+{
+    return wall(id).triangles;
+}
+
+WallPose MeshWalls::pose(const std::string& id) const
+{
+    const Wall& known = wall(id);
+    auto* surface =
+        dynamic_cast<LAMMPS_NS::FixMeshSurface*>(liggghts_.modify->find_fix_id(id.c_str()));
+    LAMMPS_NS::TriMesh& mesh = *surface->triMesh();
+    auto* speeds =
+        mesh.prop().getElementProperty<LAMMPS_NS::MultiVectorContainer<double, 3, 3>>("v");
+
+    // The owner of the marker fills in what all need: owners, nodes, velocities of the nodes.
+    std::array<double, 19> mine{};
+    for (int i = 0; i < mesh.sizeLocal(); ++i)
+    {
+        if (mesh.id(i) == known.marker)
+        {
+            mine[0] += 1;
+            for (int j = 0; j < 3; ++j)
+            {
+                mesh.node(i, j, &mine[1 + 3*j]);
+                if (speeds)
+                {
+                    std::copy_n((*speeds)(i)[j], 3, &mine[10 + 3*j]);
+                }
+            }
+        }
+    }
+    std::array<double, 19> all{};
+    MPI_Allreduce(mine.data(), all.data(), 19, MPI_DOUBLE, MPI_SUM, communicator_);
+    if (all[0] != 1)
+    {
+        throw InputError(
+            {"A mesh wall must stay inside the box of the DEM.",
+             "the largest triangle of wall " + id + " is no longer there", "",
+             "LIGGGHTS script, region and fix move/mesh",
+             "Make the box longer in the direction in which the wall moves."});
+    }
+    Triangle nodes{};
+    Triangle velocities{};
+    for (int j = 0; j < 3; ++j)
+    {
+        std::copy_n(&all[1 + 3*j], 3, nodes[j].begin());
+        std::copy_n(&all[10 + 3*j], 3, velocities[j].begin());
+    }
+    return rigidMotion(known.markerAtRest, nodes, velocities);
+}
+
+} // namespace interstice::dem

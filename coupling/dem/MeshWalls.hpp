@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/dem/DemEngine.hpp"
+
+namespace LAMMPS_NS
+{
+class LAMMPS;
+class FixMeshSurface;
+} // namespace LAMMPS_NS
+
+namespace interstice::dem
+{
+
+/// The triangulated walls of a LIGGGHTS run, and how far each has moved as a rigid body.
+///
+/// LIGGGHTS spreads a mesh over the ranks and moves its nodes step by step; it keeps no pose.
+/// The pose is therefore read off one triangle of each wall, the largest.
+class MeshWalls
+{
+public:
+    MeshWalls(LAMMPS_NS::LAMMPS& liggghts, MPI_Comm communicator);
+
+    /// Records walls not yet known, where they are. Collective, after LIGGGHTS was set up.
+    void record();
+
+    /// In the order of the script. Local.
+    std::vector<std::string> ids() const;
+
+    /// As they lay when recorded. Collective for the error's sake only.
+    const std::vector<Triangle>& triangles(const std::string& id) const;
+
+    /// Collective.
+    WallPose pose(const std::string& id) const;
+
+private:
+    struct Wall
+    {
+        std::vector<Triangle> triangles; ///< all, by LIGGGHTS' number of the triangle
+        int marker = 0;                  ///< number of the largest
+        Triangle markerAtRest{};
+    };
+
+    std::vector<LAMMPS_NS::FixMeshSurface*> surfaces() const;
+    const Wall& wall(const std::string& id) const;
+    Wall gather(LAMMPS_NS::FixMeshSurface& surface) const;
+
+    LAMMPS_NS::LAMMPS& liggghts_;
+    MPI_Comm communicator_;
+    std::map<std::string, Wall> walls_;
+};
+
+} // namespace interstice::dem
