@@ -11,17 +11,18 @@ namespace interstice
 /// The air around one particle: all that a drag law needs to know.
 struct LocalFlow
 {
-    double slip;         ///< |u - v| [m/s], u the interstitial gas velocity, v the particle's.
+    double slip; ///< |u - v| [m/s], u the interstitial gas velocity, v the particle's.
     double voidFraction; ///< Share of the volume that is gas, in (0, 1].
-    double diameter;     ///< Of the sphere, or of the sphere of equal volume [m].
-    double density;      ///< Of the gas [kg/m3].
-    double viscosity;    ///< Of the gas, dynamic [Pa s].
+    double diameter; ///< Of the sphere, or of the sphere of equal volume [m].
+    double density; ///< Of the gas [kg/m3].
+    double viscosity; ///< Of the gas, dynamic [Pa s].
 
     /// Reynolds number of the interstitial slip; the void fraction is not in it.
-    double reynolds() const noexcept
-    {
-        return density*slip*diameter/viscosity;
-    }
+    double reynolds() const noexcept { return density * slip * diameter / viscosity; }
+
+    /// Share of the volume that is grains. Never negative, so that a void fraction which
+    /// round-off has lifted above one does not reach a square root or a logarithm.
+    double solidFraction() const noexcept { return voidFraction < 1 ? 1 - voidFraction : 0; }
 };
 
 /// Drag of a particle among its neighbours.
@@ -62,9 +63,9 @@ struct DragOptions
 /// One line of the table of laws.
 struct DragLawEntry
 {
-    std::string name;        ///< As written in an input file.
+    std::string name; ///< As written in an input file.
     std::string description; ///< One sentence for lists and messages.
-    std::string reference;   ///< The publication.
+    std::string reference; ///< The publication.
 };
 
 /// The laws that can be made; the first is the default.

@@ -47,10 +47,7 @@ std::string message(const InputError::Problem& problem)
 
 std::string lowerCase(std::string word)
 {
-    std::transform(
-        word.begin(),
-        word.end(),
-        word.begin(),
+    std::transform(word.begin(), word.end(), word.begin(),
         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return word;
 }
@@ -100,7 +97,7 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
     for (const std::string& name : valid)
     {
         const std::size_t edits = editDistance(lowerCase(word), lowerCase(name));
-        if (3*edits <= name.size() && (nearest.empty() || edits < fewest))
+        if (3 * edits <= name.size() && (nearest.empty() || edits < fewest))
         {
             nearest = name;
             fewest = edits;
@@ -109,11 +106,8 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
     return nearest;
 }
 
-InputError unknownName(
-    const std::string& kind,
-    const std::string& word,
-    const std::vector<std::string>& valid,
-    const std::string& where)
+InputError unknownName(const std::string& kind, const std::string& word,
+    const std::vector<std::string>& valid, const std::string& where)
 {
     std::string names;
     for (const std::string& name : valid)
@@ -122,13 +116,10 @@ InputError unknownName(
     }
 
     const std::string nearest = nearestName(word, valid);
-    return InputError(
-        {"There is no " + kind + " of this name.",
-         word.empty() ? "(nothing)" : word,
-         names.empty() ? "(none exists)" : names,
-         where,
-         nearest.empty() ? "Use one of the names above, spelt exactly so."
-                         : "Did you mean " + nearest + "?"});
+    return InputError({"There is no " + kind + " of this name.", word.empty() ? "(nothing)" : word,
+        names.empty() ? "(none exists)" : names, where,
+        nearest.empty() ? "Use one of the names above, spelt exactly so."
+                        : "Did you mean " + nearest + "?"});
 }
 
 } // namespace interstice

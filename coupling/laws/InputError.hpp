@@ -27,19 +27,16 @@ public:
     /// The parts of the message, each one sentence or phrase.
     struct Problem
     {
-        std::string rule;   ///< What is not as it must be, as a sentence.
-        std::string found;  ///< The value met, with its unit.
+        std::string rule; ///< What is not as it must be, as a sentence.
+        std::string found; ///< The value met, with its unit.
         std::string wanted; ///< The values that are allowed.
-        std::string where;  ///< File and key.
+        std::string where; ///< File and key.
         std::string remedy; ///< What to do, as a sentence.
     };
 
     explicit InputError(Problem problem);
 
-    const Problem& problem() const noexcept
-    {
-        return problem_;
-    }
+    const Problem& problem() const noexcept { return problem_; }
 
 private:
     Problem problem_;
@@ -58,10 +55,7 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
 /// @param word  the name found
 /// @param valid the names that exist
 /// @param where file and key; may be empty
-InputError unknownName(
-    const std::string& kind,
-    const std::string& word,
-    const std::vector<std::string>& valid,
-    const std::string& where);
+InputError unknownName(const std::string& kind, const std::string& word,
+    const std::vector<std::string>& valid, const std::string& where);
 
 } // namespace interstice
