@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/mesh/MovingSolid.hpp"
+
+#include "coupling/laws/InputError.hpp"
+
+#include "OSspecific.H"
+#include "triSurfaceMesh.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+std::string metres(double length)
+{
+    std::ostringstream text;
+    text << length << " m";
+    return text.str();
+}
+
+triSurface readClosed(const fileName& path, const std::string& where)
+{
+    if (!isFile(path))
+    {
+        throw InputError({"The surface of a solid must be a readable file.", "no file " + path,
+            "an STL or OBJ file", where, "Correct the path or create the file."});
+    }
+    return triSurface(path);
+}
+
+// Distance through the body from the middle of each triangle, straight inwards; the smallest.
+scalar thinnest(const triSurfaceMesh& surface)
+{
+    const scalar span = mag(surface.bounds().span());
+    pointField start(surface.size());
+    pointField end(surface.size());
+    forAll(start, i)
+    {
+        const vector inward = -surface.faceNormals()[i];
+        start[i] = surface.faceCentres()[i] + 1e-6*span*inward;
+        end[i] = surface.faceCentres()[i] + span*inward;
+    }
+    List<pointIndexHit> hits;
+    surface.findLine(start, end, hits);
+    scalar least = span;
+    forAll(hits, i)
+    {
+        if (hits[i].hit())
+        {
+            least = min(least, mag(hits[i].hitPoint() - start[i]));
+        }
+    }
+    return least;
+}
+
+} // namespace
+
+MovingSolid::MovingSolid(const fvMesh& mesh, const std::string& name, const fileName& surface,
+    const std::string& where)
+:
+    mesh_(mesh),
+    name_(name),
+    width_(mesh.nCells())
+{
+    forAll(mesh.V(), celli)
+    {
+        width_[celli] = std::cbrt(mesh.V()[celli]);
+    }
+    tabulate(surface, where);
+}
+
+void MovingSolid::tabulate(const fileName& path, const std::string& where)
+{
+    const triSurfaceMesh surface(
+        IOobject(name_, mesh_.time().constant(), mesh_.time(), IOobject::NO_READ,
+            IOobject::NO_WRITE, false),
+        readClosed(path, where));
+    if (!surface.hasVolumeType())
+    {
+        throw InputError({"A solid that the air sees must be closed, so that it has an inside.",
+            "an open surface in " + path, "a watertight surface", where,
+            "Close it (surfaceCheck shows the open edges)."});
+    }
+    const scalar coarsest =
+        returnReduce(width_.empty() ? 0 : *std::max_element(width_.begin(), width_.end()),
+            maxOp<scalar>());
+    const scalar finest =
+        returnReduce(width_.empty() ? GREAT : *std::min_element(width_.begin(), width_.end()),
+            minOp<scalar>());
+    if (thinnest(surface) < 1.99*finest)
+    {
+        throw InputError({"A solid must be at least two cells thick, or air leaks through it.",
+            metres(thinnest(surface)) + " thick", "at least " + metres(2*finest), where,
+            "Thicken it outwards, where there is only air, or refine the mesh."});
+    }
+
+    table_.spacing = finest/2;
+    table_.low = surface.bounds().min() - vector::one*coarsest;
+    const vector high = surface.bounds().max() + vector::one*coarsest;
+    int count = 1;
+    for (direction d = 0; d < 3; ++d)
+    {
+        table_.nodes[d] = 2 + static_cast<int>((high[d] - table_.low[d])/table_.spacing);
+        count *= table_.nodes[d];
+    }
+    pointField nodes(count);
+    forAll(nodes, n)
+    {
+        const label i = n % table_.nodes[0];
+        const label j = (n/table_.nodes[0]) % table_.nodes[1];
+        const label k = n/(table_.nodes[0]*table_.nodes[1]);
+        nodes[n] = table_.low + table_.spacing*vector(i, j, k);
+    }
+    List<pointIndexHit> nearest;
+    surface.findNearest(nodes, scalarField(count, GREAT), nearest);
+    List<volumeType> side;
+    surface.getVolumeType(nodes, side);
+    table_.distance.resize(count);
+    forAll(nodes, n)
+    {
+        const scalar distance = mag(nearest[n].hitPoint() - nodes[n]);
+        table_.distance[n] =
+            static_cast<float>(side[n] == volumeType::INSIDE ? -distance : distance);
+    }
+}
+
+scalar MovingSolid::DistanceTable::at(const vector& point) const
+{
+    int index[3];
+    scalar f[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar x = (point[d] - low[d])/spacing;
+        if (x < 0 || x >= nodes[d] - 1)
+        {
+            return far;
+        }
+        index[d] = static_cast<int>(x);
+        f[d] = x - index[d];
+    }
+    const auto value = [&](int i, int j, int k) {
+        return distance[index[0] + i + nodes[0]*(index[1] + j + nodes[1]*(index[2] + k))];
+    };
+    scalar sum = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        const int i = corner & 1;
+        const int j = (corner >> 1) & 1;
+        const int k = corner >> 2;
+        sum += value(i, j, k)*(i ? f[0] : 1 - f[0])*(j ? f[1] : 1 - f[1])*(k ? f[2] : 1 - f[2]);
+    }
+    return sum;
+}
+
+void MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
+    volVectorField& velocity) const
+{
+    forAll(covered, celli)
+    {
+        const vector& c = mesh_.C()[celli];
+        const RigidPose::Vector here{c.x(), c.y(), c.z()};
+        const RigidPose::Vector there = pose.toReference(here);
+        const scalar distance = table_.at(vector(there[0], there[1], there[2]));
+        const scalar share = min(max(0.5 - distance/width_[celli], scalar(0)), scalar(1));
+        if (share > covered[celli])
+        {
+            const RigidPose::Vector v = pose.velocityAt(here);
+            covered[celli] = share;
+            velocity[celli] = vector(v[0], v[1], v[2]);
+        }
+    }
+}
+
+} // namespace interstice

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/laws/RigidPose.hpp"
+
+#include "fvMesh.H"
+#include "volFields.H"
+
+#include <string>
+#include <vector>
+
+namespace interstice
+{
+
+/// A rigid body that moves through a static mesh, as the air sees it.
+///
+/// The closed surface is turned once into a table of signed distances in its own frame; at any
+/// pose, the covered fraction of a cell follows from the distance of its centre: a ramp as wide as
+/// the cell, continuous in the pose. Where cells are covered the air is held to the body's velocity
+/// by a resistance
+///
+///     sigma = (stiffness^covered - 1)/dt                          [1/s]
+///
+/// whose logarithm is linear in the covered fraction, so that nothing switches when the body
+/// creeps into a cell (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
+/// 497-520; the ramp is ours).
+class MovingSolid
+{
+public:
+    /// Reads a closed triangulated surface [m], in the reference place of its pose. Same call on
+    /// all ranks. Throws InputError if the file is missing, the surface open, or thinner than two
+    /// cells (air would leak through it).
+    MovingSolid(const Foam::fvMesh& mesh, const std::string& name, const Foam::fileName& surface,
+        const std::string& where);
+
+    const std::string& name() const { return name_; }
+
+    /// Adds this body at a pose to the covered fraction of each cell (largest body wins) and
+    /// sets the wall velocity [m/s] where it covers something. Local.
+    void cover(const RigidPose& pose, Foam::volScalarField& covered,
+        Foam::volVectorField& velocity) const;
+
+private:
+    /// Signed distance [m], negative inside, at the nodes of a box around the body.
+    struct DistanceTable
+    {
+        Foam::vector low;
+        Foam::scalar spacing;
+        int nodes[3];
+        std::vector<float> distance;
+
+        Foam::scalar at(const Foam::vector& point) const; ///< `far` outside the box
+        static constexpr Foam::scalar far = 1e30;
+    };
+
+    void tabulate(const Foam::fileName& surface, const std::string& where);
+
+    const Foam::fvMesh& mesh_;
+    std::string name_;
+    std::vector<Foam::scalar> width_; // of the ramp in each cell [m]
+    DistanceTable table_;
+};
+
+} // namespace interstice

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/laws/CoarseGraining.hpp"
+#include "coupling/mesh/CellLocator.hpp"
+#include "coupling/mesh/ParticleMeshTransfer.hpp"
+#include "coupling/mesh/VoidFractionFloor.hpp"
+
+#include "volFields.H"
+
+namespace interstice
+{
+
+/// What the mesh needs to know of a parcel.
+struct ParcelRecord
+{
+    Vec3 position; ///< at the end of the coming interval, predicted [m]
+    Vec3 velocity; ///< at its start [m/s]
+    Vec3 carry; ///< momentum that drag gave it beyond what the air lost so far [N s]
+    double diameter; ///< [m]
+    double mass; ///< [kg]
+    int id;
+};
+
+/// What a parcel needs to know of the air.
+struct GasRecord
+{
+    Vec3 velocity; ///< interstitial [m/s]
+    double dragCoefficient; ///< of the parcel [kg/s]
+    Vec3 force; ///< -V grad(p) [N]
+    Vec3 given; ///< momentum that the air lost to it by drag in the interval [N s]
+};
+
+/// The powder as fields on the mesh, and the air as values at the parcels.
+///
+/// Holds the parcels handled on this rank. In each coupling step: place, depositVolume,
+/// depositDrag, (the air moves), gasAtParcels. All but `place` are collective.
+class PowderOnMesh
+{
+public:
+    struct Settings
+    {
+        Foam::word deposit = "kernel"; ///< see DepositKernel
+        double smoothingWidth = 0; ///< b of Smoothing [m]
+        double minimumVoidFraction = 0.3; ///< floor of the field
+        double minimumDragVoidFraction = 0.36; ///< floor inside the drag law: random close packing
+        double coarseGraining = 1; ///< k
+        std::string where; ///< file, for messages
+    };
+
+    /// What the last step did, over all ranks.
+    struct Report
+    {
+        VoidFractionFloor::Report floor;
+        int hidden = 0; ///< parcels inside a solid
+        double shortestResponse = 0; ///< smallest tau_eff = alpha^2 m/b of a parcel [s]
+    };
+
+    PowderOnMesh(const Foam::fvMesh& mesh, const Settings& settings,
+        std::unique_ptr<DragLaw> drag);
+
+    const CellLocator& locator() const { return locator_; }
+    const PeriodicBox& box() const { return box_; }
+    const CellHalo& halo() const { return halo_; }
+    const Smoothing& smoothing() const { return smoothing_; }
+
+    /// Collective. Covered fraction of each cell; closes cells to powder and smoothing.
+    void cover(const Foam::volScalarField& covered);
+
+    /// Parcels handled here and their cells, of this step. Local.
+    void place(std::vector<ParcelRecord>&& parcels, const std::vector<int>& cells);
+    const std::vector<ParcelRecord>& parcels() const { return parcels_; }
+    const std::vector<int>& cells() const { return cells_; }
+
+    /// Void fraction from the parcels' volumes.
+    void depositVolume();
+
+    /// Drag coefficients in the air as it is now (velocity `U`, density [kg/m3], kinematic
+    /// viscosity `nu`), effective over an interval [s]; and the carry.
+    void depositDrag(const Foam::volVectorField& U, double density, const Foam::volScalarField& nu,
+        double interval);
+
+    /// The air at the parcels after it has moved: velocity and pressure gradient [Pa/m] cell by
+    /// cell, sampled by the adjoint of the deposit.
+    std::vector<GasRecord> gasAtParcels(const Foam::volVectorField& U,
+        const Foam::volVectorField& pressureGradient, double interval) const;
+
+    Foam::volScalarField& voidFraction() { return voidFraction_; }
+    const Foam::volScalarField& dragCoefficient() const { return drag_; } ///< sum b/V [kg/m3/s]
+    const Foam::volVectorField& dragSource() const { return dragSource_; } ///< sum b v/V [N/m3]
+    const Foam::volVectorField& carrySource() const { return carry_; } ///< to the air [N/m3]
+
+    const Report& report() const { return report_; }
+
+private:
+    double parcelDrag(int parcel, double voidFraction, const Foam::vector& gasVelocity,
+        double density, double viscosity) const;
+
+    const Foam::fvMesh& mesh_;
+    Settings settings_;
+    std::unique_ptr<DragLaw> law_;
+    CoarseGraining grains_;
+    PeriodicBox box_;
+    CellHalo halo_;
+    CellLocator locator_;
+    Smoothing smoothing_;
+    VoidFractionFloor floor_;
+    ParticleMeshTransfer transfer_;
+    Foam::scalarList open_; // uncovered fraction, own cells and ghosts
+
+    std::vector<ParcelRecord> parcels_;
+    std::vector<int> cells_;
+    std::vector<double> coefficients_; // b of each parcel [kg/s]
+    std::vector<double> effective_; // b over the interval [kg/s]
+
+    Foam::volScalarField voidFraction_;
+    Foam::volScalarField drag_;
+    Foam::volVectorField dragSource_;
+    Foam::volVectorField carry_;
+    Report report_;
+};
+
+} // namespace interstice

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/mesh/CellHalo.hpp"
+
+namespace interstice
+{
+
+/// Conservative smoothing of cell densities by explicit diffusion sweeps, equivalent to a
+/// Gaussian exp(-r^2/b^2) (Sun & Xiao, J. Comput. Phys. 300 (2015) 161-182: D T = b^2/4).
+///
+/// One linear operator S for every deposited field. It keeps the volume integral, never leaves
+/// the range of its input, and is its own adjoint in the volume-weighted product
+/// (sum V a S(b) = sum V b S(a)); so sampling S(u) with the deposit's weights returns to the
+/// particles exactly the momentum that the air gives away. No flux through walls, nor through
+/// faces of covered cells.
+class Smoothing
+{
+public:
+    /// `width`: b [m]; zero: no smoothing.
+    Smoothing(const Foam::fvMesh& mesh, const CellHalo& halo, double width);
+
+    /// Collective. `open`: uncovered fraction of each cell, own and ghosts.
+    void close(const Foam::scalarList& open);
+
+    /// Collective. Smooths N densities at once; `density` is nCells long.
+    template<unsigned N>
+    void smooth(Foam::List<Packed<N>>& density) const;
+
+    int sweeps() const { return sweeps_; }
+
+    /// The links of the mesh with what each lets through in one sweep [m3].
+    const std::vector<CellHalo::Link>& open() const { return links_; }
+
+private:
+    const CellHalo& halo_;
+    const Foam::scalarField& volumes_;
+    int sweeps_ = 0;
+    double perSweep_ = 0; // diffusivity times time of one sweep [m2]
+    std::vector<CellHalo::Link> links_;
+};
+
+template<unsigned N>
+void Smoothing::smooth(Foam::List<Packed<N>>& density) const
+{
+    const Foam::label own = halo_.nCells();
+    Foam::List<Packed<N>> gain(own);
+    for (int sweep = 0; sweep < sweeps_; ++sweep)
+    {
+        halo_.toGhosts(density);
+        gain = Packed<N>(Foam::Zero);
+        for (const CellHalo::Link& link : links_)
+        {
+            Packed<N>& here = gain[link.cell];
+            const Packed<N>& a = density[link.cell];
+            const Packed<N>& b = density[link.other];
+            if (link.internal)
+            {
+                Packed<N>& there = gain[link.other];
+                for (unsigned n = 0; n < N; ++n)
+                {
+                    const double flux = link.conductance*(b[n] - a[n]);
+                    here[n] += flux;
+                    there[n] -= flux;
+                }
+            }
+            else
+            {
+                for (unsigned n = 0; n < N; ++n)
+                {
+                    here[n] += link.conductance*(b[n] - a[n]);
+                }
+            }
+        }
+        density.setSize(own);
+        for (Foam::label c = 0; c < own; ++c)
+        {
+            for (unsigned n = 0; n < N; ++n)
+            {
+                density[c][n] += gain[c][n]/volumes_[c];
+            }
+        }
+    }
+}
+
+} // namespace interstice
