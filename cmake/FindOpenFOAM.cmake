@@ -126,9 +126,11 @@ if(OpenFOAM_FOUND)
         list(TRANSFORM _foam_folders REPLACE "^(.+)$" "${FOAM_SRC}/\\1/lnInclude")
         list(TRANSFORM _foam_needs PREPEND "OpenFOAM::")
 
-        add_library(OpenFOAM::${_foam_component} UNKNOWN IMPORTED)
+        # No soname: or else a program would look for the library at the path where it was linked.
+        add_library(OpenFOAM::${_foam_component} SHARED IMPORTED)
         set_target_properties(OpenFOAM::${_foam_component} PROPERTIES
             IMPORTED_LOCATION "${OpenFOAM_${_foam_component}_LIBRARY}"
+            IMPORTED_NO_SONAME TRUE
             INTERFACE_INCLUDE_DIRECTORIES "${_foam_folders}"
             INTERFACE_LINK_LIBRARIES "${_foam_needs}")
     endforeach()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The package that find_package(interstice) finds: it brings its find modules along.
+# The package that find_package(interstice) finds: it brings its find module for OpenFOAM, whose types
+# the headers name, along; LIGGGHTS stays inside the library.
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/interstice")
@@ -15,5 +16,4 @@ install(FILES
     "${PROJECT_BINARY_DIR}/intersticeConfig.cmake"
     "${PROJECT_BINARY_DIR}/intersticeConfigVersion.cmake"
     "${CMAKE_CURRENT_LIST_DIR}/FindOpenFOAM.cmake"
-    "${CMAKE_CURRENT_LIST_DIR}/FindLIGGGHTS.cmake"
     DESTINATION ${package})
