@@ -84,7 +84,7 @@ LiggghtsInstance::LiggghtsInstance(MPI_Comm communicator, const DemOptions& opti
 
     MPI_Comm_dup(communicator, &communicator_);
     const bool first = rankIn(communicator_) == 0;
-    screen_ = std::make_unique<ScreenStream>(first ? options.screenFile : std::string());
+    screen_ = std::make_unique<ScreenStream>(first, options.screenFile);
     open(options);
 }
 

@@ -15,17 +15,16 @@ ScreenStream* atWork = nullptr;
 
 void announceSilentEnd()
 {
-    if (atWork && !atWork->sawError())
+    if (atWork)
     {
-        std::fprintf(
-            stderr, "\nLIGGGHTS ended the program while %s.\n", atWork->task().c_str());
-        std::fflush(stderr);
+        atWork->announceEnd();
     }
 }
 
 } // namespace
 
-ScreenStream::ScreenStream(const std::string& path) : path_(path)
+ScreenStream::ScreenStream(bool firstRank, const std::string& path)
+    : firstRank_(firstRank), path_(firstRank ? path : std::string())
 {
     cookie_io_functions_t functions{};
     functions.write = &ScreenStream::write;
@@ -48,6 +47,15 @@ ScreenStream::~ScreenStream()
     if (copy_)
     {
         std::fclose(copy_);
+    }
+}
+
+void ScreenStream::announceEnd() const
+{
+    if (firstRank_ && !sawError_)
+    {
+        std::fprintf(stderr, "\nLIGGGHTS ended the program while %s.\n", task_.c_str());
+        std::fflush(stderr);
     }
 }
 

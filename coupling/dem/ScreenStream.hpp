@@ -20,8 +20,8 @@ namespace interstice::dem
 class ScreenStream
 {
 public:
-    /// Local. `path` is the file of what LIGGGHTS prints; empty on ranks that keep none.
-    explicit ScreenStream(const std::string& path);
+    /// Local. `path` is the file of what LIGGGHTS prints; the first rank keeps it, unless empty.
+    ScreenStream(bool firstRank, const std::string& path);
     ~ScreenStream();
 
     ScreenStream(const ScreenStream&) = delete;
@@ -38,15 +38,9 @@ public:
         task_ = task;
     }
 
-    const std::string& task() const
-    {
-        return task_;
-    }
-
-    bool sawError() const
-    {
-        return sawError_;
-    }
+    /// Says on stderr that LIGGGHTS ended the program, unless its own message is there; once,
+    /// by the first rank.
+    void announceEnd() const;
 
 private:
     static ssize_t write(void* self, const char* text, std::size_t size);
@@ -54,6 +48,7 @@ private:
 
     std::FILE* stream_ = nullptr;
     std::FILE* copy_ = nullptr;
+    bool firstRank_;
     std::string path_;
     std::string task_;
     std::string line_;     ///< being put together

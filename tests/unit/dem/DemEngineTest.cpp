@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DemScene.hpp"
+
+#include "coupling/laws/InputError.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+namespace interstice::test
+{
+
+namespace
+{
+
+std::unique_ptr<DemEngine> coupledScene(
+    const std::string& name, const std::map<std::string, std::string>& variables = {})
+{
+    auto dem = std::make_unique<DemEngine>(MPI_COMM_WORLD, optionsFor(variables));
+    dem->runScript(script(name));
+    dem->couple();
+    return dem;
+}
+
+/// The path LIGGGHTS takes in one run of its own.
+std::map<int, Grain> uninterrupted(const std::string& name, long steps)
+{
+    DemEngine alone(MPI_COMM_WORLD, optionsFor());
+    alone.runScript(script(name));
+    alone.command("run " + std::to_string(steps));
+    return everyGrain(alone);
+}
+
+int rankHere()
+{
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    return rank;
+}
+
+} // namespace
+
+// Free fall over 10 steps of 1e-5 s: v = -9.81 * 1e-4.
+TEST(DemEngine, OpensRunsTenStepsClosesAndOpensAgain)
+{
+    for (int round = 0; round < 2; ++round)
+    {
+        const auto dem = coupledScene("cloud.in", {{"gravity", "9.81"}});
+        dem->advance(10);
+        EXPECT_NEAR(everyGrain(*dem).at(7).velocity[2], -9.81e-4, 1e-16);
+        EXPECT_EQ(dem->stepsDone(), 10);
+    }
+}
+
+TEST(DemEngine, TellsWhatTheScriptDefined)
+{
+    const auto dem = coupledScene("bed.in");
+
+    EXPECT_TRUE(dem->hasBox() && dem->hasIntegrator() && dem->hasGranularPair());
+    EXPECT_TRUE(dem->hasWalls());
+    EXPECT_FALSE(coupledScene("cloud.in")->hasWalls());
+    EXPECT_EQ(dem->materialProperty("youngsModulus"), std::vector<double>{5e6});
+    EXPECT_EQ(dem->materialProperty("coefficientFriction"), std::vector<double>{0.5});
+    EXPECT_TRUE(dem->materialProperty("cohesionEnergyDensity").empty());
+    EXPECT_EQ(dem->timeStep(), 1e-5);
+    EXPECT_EQ(dem->box().high, (Vector3{0.08, 0.08, 0.08}));
+    EXPECT_FALSE(dem->box().periodic[0]);
+    EXPECT_TRUE(coupledScene("cloud.in")->box().periodic[0]);
+    EXPECT_EQ(dem->meshWalls(), (std::vector<std::string>{"floor", "paddle"}));
+}
+
+// 4x4x4 spheres of 4 mm, 2500 kg/m3: 8.3776e-5 kg each.
+TEST(DemEngine, CountsAndMeasuresTheParticlesOfAllRanks)
+{
+    const auto dem = coupledScene("cloud.in", {{"gravity", "10"}});
+    dem->advance(100);
+
+    EXPECT_EQ(dem->particleCount(), 64);
+    EXPECT_DOUBLE_EQ(dem->maximumRadius(), 0.002);
+    EXPECT_DOUBLE_EQ(dem->minimumRadius(), 0.002);
+    EXPECT_NEAR(dem->maximumSpeed(), 0.01, 1e-15);
+    EXPECT_NEAR(everyGrain(*dem).at(7).mass, 8.37758040957278e-5, 1e-18);
+}
+
+// The whole point of advance(): a set-up between intervals would move the paths apart.
+TEST(DemEngine, FollowsOneUninterruptedRunBitForBit)
+{
+    const auto dem = coupledScene("bed.in");
+    for (const long steps : {1L, 7L, 300L, 42L, 650L})
+    {
+        dem->advance(steps);
+    }
+    const auto expected = uninterrupted("bed.in", 1000);
+
+    ASSERT_GT(expected.size(), 500u);
+    EXPECT_TRUE(everyGrain(*dem) == expected);
+}
+
+TEST(DemEngine, StartsWithoutParticles)
+{
+    const auto dem = coupledScene("empty.in");
+    dem->advance(10);
+
+    EXPECT_EQ(dem->particleCount(), 0);
+    EXPECT_EQ(dem->maximumSpeed(), 0);
+    EXPECT_EQ(dem->maximumRadius(), 0);
+    EXPECT_EQ(dem->minimumRadius(), 0);
+}
+
+// 0.2 m/s for 1000 steps of 1e-5 s; a turn of 0.5 s about (0.04, 0.04): 7.2 degrees, so that
+// x_now = R (x - c) + c.
+TEST(DemEngine, KnowsThePoseOfMovingWallsOnEveryRank)
+{
+    const auto dem = coupledScene("bed.in");
+    EXPECT_EQ(dem->wallPose("floor").translation, (Vector3{0, 0, 0}));
+    dem->advance(1000);
+
+    const WallPose floor = dem->wallPose("floor");
+    EXPECT_NEAR(floor.translation[0], 0.002, 1e-14);
+    EXPECT_NEAR(floor.rotation[0], 1, 1e-13);
+    EXPECT_NEAR(floor.velocity[0], 0.2, 1e-14);
+    EXPECT_NEAR(floor.angularVelocity[2], 0, 1e-12);
+
+    const double pi = std::acos(-1.0);
+    const double angle = 2*pi*0.01/0.5;
+    const WallPose paddle = dem->wallPose("paddle");
+    EXPECT_NEAR(paddle.rotation[0], std::cos(angle), 1e-11);
+    EXPECT_NEAR(paddle.rotation[1], -std::sin(angle), 1e-11);
+    EXPECT_NEAR(paddle.translation[0], 0.04*(1 - std::cos(angle) + std::sin(angle)), 1e-12);
+    EXPECT_NEAR(paddle.translation[2], 0, 1e-15);
+    EXPECT_NEAR(paddle.angularVelocity[2], 4*pi, 1e-4);
+    const Vector3 tip = paddle.velocityAt({0.05, 0.04, 0.0175});
+    EXPECT_NEAR(tip[0], 0, 1e-5);
+    EXPECT_NEAR(tip[1], 4*pi*0.01, 1e-5);
+}
+
+TEST(DemEngine, GivesTheTrianglesOfAWallInTheSameOrderOnAllRanks)
+{
+    const auto dem = coupledScene("bed.in");
+    const std::vector<Triangle> plate = dem->wallTriangles("floor");
+
+    ASSERT_EQ(plate.size(), 32u);
+    EXPECT_EQ(plate.front()[0], (Vector3{0.015, 0.015, 0.01}));
+    EXPECT_THROW(dem->wallTriangles("flor"), InputError);
+}
+
+// Free fall is quadratic in time, which velocity Verlet integrates exactly with any steps:
+// 100 * 1e-5 + 100 * 5e-6 = 1.5e-3 s. The plate moves on from where it is.
+TEST(DemEngine, ChangesTheTimeStepOnTheWay)
+{
+    const auto cloud = coupledScene("cloud.in", {{"gravity", "10"}});
+    const double before = everyGrain(*cloud).at(7).position[2];
+    cloud->advance(100);
+    cloud->setTimeStep(5e-6);
+    cloud->advance(100);
+    EXPECT_EQ(cloud->timeStep(), 5e-6);
+    EXPECT_NEAR(everyGrain(*cloud).at(7).velocity[2], -1.5e-2, 1e-15);
+    EXPECT_NEAR(everyGrain(*cloud).at(7).position[2] - before, -5*1.5e-3*1.5e-3, 1e-15);
+
+    const auto bed = coupledScene("bed.in");
+    bed->advance(400);
+    bed->setTimeStep(5e-6);
+    bed->advance(400);
+    EXPECT_NEAR(bed->wallPose("floor").translation[0], 0.2*6e-3, 1e-14);
+    EXPECT_THROW(bed->setTimeStep(0), InputError);
+
+    // The falling heap is where it would be with the first step, within a fraction of the
+    // overlap of a contact.
+    const auto slower = everyGrain(*bed);
+    for (const auto& [id, grain] : uninterrupted("bed.in", 600))
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            EXPECT_NEAR(slower.at(id).position[k], grain.position[k], 4e-6);
+        }
+    }
+}
+
+TEST(DemEngine, GoesOnFromARestartFileBitForBit)
+{
+    const auto dem = coupledScene("bed.in");
+    dem->advance(300);
+    dem->writeRestart("bed.restart");
+    dem->advance(200);
+
+    DemEngine again(MPI_COMM_WORLD, optionsFor());
+    again.runScript(script("bedFromRestart.in"));
+    again.couple();
+    EXPECT_EQ(again.stepsDone(), 300);
+    again.advance(200);
+
+    EXPECT_TRUE(everyGrain(again) == everyGrain(*dem));
+}
+
+TEST(DemEngine, NamesAScriptThatIsMissing)
+{
+    DemEngine dem(MPI_COMM_WORLD, optionsFor());
+    try
+    {
+        dem.runScript("nowhere/fill.in");
+        FAIL();
+    }
+    catch (const InputError& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("nowhere/fill.in"), std::string::npos);
+    }
+    EXPECT_THROW(dem.readRestart("nowhere/fill.restart"), InputError);
+    EXPECT_THROW(dem.couple(), InputError);
+}
+
+TEST(DemEngine, AsksForAnIntegrator)
+{
+    DemEngine dem(MPI_COMM_WORLD, optionsFor());
+    dem.runScript(script("empty.in"));
+    dem.command("unfix motion");
+
+    EXPECT_FALSE(dem.hasIntegrator());
+    EXPECT_THROW(dem.couple(), InputError);
+}
+
+TEST(DemEngine, RefusesAFileItCannotWriteAndAVariableItCannotName)
+{
+    DemOptions options = optionsFor();
+    options.logFile = "nowhere/log";
+    EXPECT_THROW(DemEngine(MPI_COMM_WORLD, options), InputError);
+    EXPECT_THROW(DemEngine(MPI_COMM_WORLD, optionsFor({{"shoe speed", "1"}})), InputError);
+}
+
+// A negative value must not be taken for a switch of LIGGGHTS' command line.
+TEST(DemEngine, HandsVariablesToTheScript)
+{
+    const auto dem = coupledScene("cloud.in", {{"gravity", "-10"}, {"dt", "2e-5"}});
+    dem->advance(50);
+
+    EXPECT_EQ(dem->timeStep(), 2e-5);
+    EXPECT_NEAR(everyGrain(*dem).at(7).velocity[2], 0.01, 1e-15);
+}
+
+TEST(DemEngine, KeepsWhatLiggghtsPrints)
+{
+    {
+        coupledScene("bed.in");
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rankHere() == 0)
+    {
+        std::ifstream file("screen.liggghts");
+        const std::string text((std::istreambuf_iterator<char>(file)), {});
+        EXPECT_NE(text.find("Import and parallelization of mesh floor"), std::string::npos);
+    }
+}
+
+} // namespace interstice::test
