@@ -74,7 +74,7 @@ installPackages()
         fail "missing packages: ${missing[*]}. Install them as root, or install sudo, and call again."
     fi
     say "installing Debian packages: ${missing[*]}"
-    say "(some 300 MB with all they need, a few minutes; details in $log)"
+    say "(from nothing, some minutes; details in $log)"
     updatePackageLists
     asRoot env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends \
         install "${missing[@]}" </dev/null >>"$log" 2>&1 ||
@@ -151,13 +151,20 @@ fetchHeaders()
 build()
 {
     cd "$root"
-    if [ ! -e build/release/Makefile ]; then
+    local used
+    used=$(sed -n 's/^FOAM_SRC:[A-Z]*=//p' build/release/CMakeCache.txt 2>/dev/null || true)
+    # Afresh also if the headers it was configured with are gone or another user's.
+    if [ ! -e build/release/Makefile ] || [ ! -r "$used/OpenFOAM/lnInclude/Time.H" ]; then
         say "configuring build/release"
-        cmake --preset release >>"$log" 2>&1 || failWithLog "CMake could not configure build/release."
+        rm -rf build/release
+        cmake --preset release >>"$log" 2>&1 </dev/null ||
+            failWithLog "CMake could not configure build/release."
     fi
-    say "building build/release (minutes the first time)"
-    cmake --build --preset release --parallel "$(nproc)" -- --no-print-directory -s |
-        grep -v '^\[100%\] Built target\|^Consolidate compiler' || [ "${PIPESTATUS[0]}" -eq 0 ]
+    say "building what is not up to date in build/release (the first time takes minutes)"
+    # Of make's talk, only what it builds and what goes wrong.
+    cmake --build --preset release --parallel "$(nproc)" -- --no-print-directory |
+        grep -v '\] Built target\|^-- \|^Consolidate\|^Scanning' || [ "${PIPESTATUS[0]}" -eq 0 ] ||
+        fail "the build failed: the compiler's message stands above."
 }
 
 mkdir -p "$cache"
