@@ -38,7 +38,8 @@ struct Bounds
     {
         for (int d = 0; d < 3; ++d)
         {
-            if (point[d] < min[d] || point[d] > max[d])
+            // Written so that a coordinate that is not a number is outside.
+            if (!(point[d] >= min[d] && point[d] <= max[d]))
             {
                 return false;
             }
