@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
 # To be sourced (bash): what Debian's OpenFOAM and Open MPI need, and our programs on the PATH.
 
 export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
