@@ -16,6 +16,8 @@ double carryingSlip(const DragLaw& law, const Powder& powder, double voidFractio
     const auto drag = [&](double slip)
     { return slip * law.coefficientPerVolume(flowAround(powder, voidFraction, slip)); };
 
+    // Creeping drag gives a first guess from above for most laws. Not for Di Felice's, whose
+    // coefficient falls with the slip in very dense beds.
     double low = 0;
     double high = load / law.coefficientPerVolume(flowAround(powder, voidFraction, 0));
     while (drag(high) < load)

@@ -32,7 +32,7 @@ TEST(NearestName, ForgivesAMissingAWrongAndASwappedLetterAndTheCase)
     EXPECT_EQ(nearestName("DiFelce", names), "DiFelice");
     EXPECT_EQ(nearestName("KochHell", names), "KochHill");
     EXPECT_EQ(nearestName("Stoeks", names), "Stokes");
-    EXPECT_EQ(nearestName("kochhill", names), "KochHill");
+    EXPECT_EQ(nearestName("KOCHHILL", names), "KochHill");
 }
 
 // One swap is one edit: in a name of three letters that is the most that may differ.
@@ -49,6 +49,7 @@ TEST(NearestName, TakesTheNearerOfTwo)
 
 TEST(NearestName, StaysSilentWhenNothingIsNear)
 {
+    EXPECT_EQ(nearestName("Stabcs", {"Stokes"}), "");
     EXPECT_EQ(nearestName("Ergun", {"DiFelice", "Stokes"}), "");
     EXPECT_EQ(nearestName("", {"DiFelice"}), "");
     EXPECT_EQ(nearestName("DiFelice", {}), "");
