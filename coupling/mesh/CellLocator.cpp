@@ -34,7 +34,7 @@ CellLocator::CellLocator(const Foam::polyMesh& mesh)
     {
         bounds_.add(toVec3(p));
     }
-    bounds_.grow(1e-3*std::cbrt(Foam::sum(mesh.cellVolumes())/mesh.nCells()));
+    bounds_.grow(nearby*std::cbrt(Foam::max(mesh.cellVolumes())));
     collectPlanes(mesh);
     fillBins(mesh);
 }
@@ -78,7 +78,7 @@ void CellLocator::fillBins(const Foam::polyMesh& mesh)
         {
             box.add(toVec3(mesh.points()[pointi]));
         }
-        box.grow(1e-6/perSize_[celli]);
+        box.grow(nearby/perSize_[celli]);
         int low[3];
         int high[3];
         for (int d = 0; d < 3; ++d)
