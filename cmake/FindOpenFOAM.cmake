@@ -36,6 +36,8 @@ set(_foam_incompressibleTransportModels
     "incompressibleTransportModels|transportModels/incompressible|finiteVolume")
 set(_foam_incompressibleTurbulenceModels
     "incompressibleTurbulenceModels|TurbulenceModels/incompressible|turbulenceModels incompressibleTransportModels")
+set(_foam_phaseTurbulenceModels
+    "DPMTurbulenceModels|TurbulenceModels/turbulenceModels|incompressibleTurbulenceModels")
 # The parcel templates of this library name thermophysics even where a cloud has none.
 set(_foam_lagrangianIntermediate
     "lagrangianIntermediate|lagrangian/intermediate thermophysicalModels/specie thermophysicalModels/basic thermophysicalModels/thermophysicalProperties thermophysicalModels/reactionThermo thermophysicalModels/SLGThermo thermophysicalModels/radiation transportModels/compressible regionModels/regionModel regionModels/surfaceFilmModels|distributionModels dynamicFvMesh incompressibleTransportModels")
@@ -134,6 +136,12 @@ if(OpenFOAM_FOUND)
             INTERFACE_INCLUDE_DIRECTORIES "${_foam_folders}"
             INTERFACE_LINK_LIBRARIES "${_foam_needs}")
     endforeach()
+
+    # A library of headers alone, for which wmake makes no lnInclude folder.
+    if(TARGET OpenFOAM::phaseTurbulenceModels)
+        set_property(TARGET OpenFOAM::phaseTurbulenceModels APPEND PROPERTY
+            INTERFACE_INCLUDE_DIRECTORIES "${FOAM_SRC}/TurbulenceModels/phaseIncompressible/PhaseIncompressibleTurbulenceModel")
+    endif()
 
     # transportModels has headers that are named with their folder.
     if(TARGET OpenFOAM::incompressibleTransportModels)

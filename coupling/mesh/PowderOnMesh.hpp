@@ -85,7 +85,7 @@ public:
     std::vector<GasRecord> gasAtParcels(const Foam::volVectorField& U,
         const Foam::volVectorField& pressureGradient, double interval) const;
 
-    Foam::volScalarField& voidFraction() { return voidFraction_; }
+    const Foam::volScalarField& voidFraction() const { return voidFraction_; }
     const Foam::volScalarField& dragCoefficient() const { return drag_; } ///< sum b/V [kg/m3/s]
     const Foam::volVectorField& dragSource() const { return dragSource_; } ///< sum b v/V [N/m3]
     const Foam::volVectorField& carrySource() const { return carry_; } ///< to the air [N/m3]

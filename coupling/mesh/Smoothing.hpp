@@ -3,6 +3,9 @@
 
 #include "coupling/mesh/CellHalo.hpp"
 
+#include <chrono>
+#include <utility>
+
 namespace interstice
 {
 
@@ -27,6 +30,9 @@ public:
     template<unsigned N>
     void smooth(Foam::List<Packed<N>>& density) const;
 
+    /// Wall time of smooth() since the last call [s].
+    double takeSeconds() const { return std::exchange(seconds_, 0.0); }
+
     int sweeps() const { return sweeps_; }
 
     /// The links of the mesh with what each lets through in one sweep [m3].
@@ -38,11 +44,13 @@ private:
     int sweeps_ = 0;
     double perSweep_ = 0; // diffusivity times time of one sweep [m2]
     std::vector<CellHalo::Link> links_;
+    mutable double seconds_ = 0;
 };
 
 template<unsigned N>
 void Smoothing::smooth(Foam::List<Packed<N>>& density) const
 {
+    const auto start = std::chrono::steady_clock::now();
     const Foam::label own = halo_.nCells();
     Foam::List<Packed<N>> gain(own);
     for (int sweep = 0; sweep < sweeps_; ++sweep)
@@ -81,6 +89,8 @@ void Smoothing::smooth(Foam::List<Packed<N>>& density) const
             }
         }
     }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    seconds_ += spent.count();
 }
 
 } // namespace interstice

@@ -66,6 +66,13 @@ public:
         Stage outer_;
     };
 
+    /// Books seconds measured elsewhere from one stage to another.
+    void move(Stage from, Stage to, double seconds)
+    {
+        seconds_[static_cast<int>(from)] -= seconds;
+        seconds_[static_cast<int>(to)] += seconds;
+    }
+
     /// Collective: all ranks get the same times.
     StageTimes gather(MPI_Comm communicator);
 

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/CoupledPowder.hpp"
+
+#include "coupling/ScriptFiles.hpp"
+#include "coupling/TimeStepChoice.hpp"
+#include "coupling/dem/DemEngine.hpp"
+#include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/laws/InputError.hpp"
+#include "coupling/mesh/Parameters.hpp"
+
+#include "IOdictionary.H"
+#include "PstreamReduceOps.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+IOdictionary couplingProperties(const fvMesh& mesh)
+{
+    return IOdictionary(IOobject("couplingProperties", mesh.time().constant(), mesh,
+        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE, false));
+}
+
+vector toFoam(const Vec3& v)
+{
+    return vector(v[0], v[1], v[2]);
+}
+
+Vec3 toVec3(const vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+PowderOnMesh::Settings meshSettings(const dictionary& dict, double coarseGraining)
+{
+    using Range = Parameters::Range;
+    const Parameters p(dict);
+    PowderOnMesh::Settings s;
+    s.deposit = p.name("deposit", s.deposit);
+    s.smoothingWidth = p.number("smoothingWidth", "m", Range::notNegative, 0);
+    s.minimumVoidFraction = p.number("minimum", "", Range::fraction, s.minimumVoidFraction);
+    s.minimumDragVoidFraction =
+        p.number("minimumForDrag", "", Range::fraction, s.minimumDragVoidFraction);
+    s.coarseGraining = coarseGraining;
+    s.where = p.where("deposit");
+    p.allKnown();
+    return s;
+}
+
+std::unique_ptr<DragLaw> dragLaw(const dictionary& dict)
+{
+    const Parameters p(dict);
+    DragOptions options;
+    options.sphericity = p.number("sphericity", "", Parameters::Range::positive, 1);
+    options.cleanBlend = p.flag("cleanBlend", false);
+    const word law = p.name("law", dragLaws().front().name);
+    p.allKnown();
+    return makeDragLaw(law, options, p.where("law"));
+}
+
+} // namespace
+
+CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField& nu,
+    StageClock& clock)
+:
+    mesh_(mesh),
+    clock_(clock),
+    density_(density),
+    state_(mesh)
+{
+    const IOdictionary dict(couplingProperties(mesh));
+    const Parameters p(dict);
+    hasAir_ = p.flag("air", true);
+    const dictionary& powder = p.sub("powder");
+    const double k = Parameters(powder).number(
+        "coarseGraining", "", Parameters::Range::positive, 1);
+
+    onMesh_ = std::make_unique<PowderOnMesh>(
+        mesh, meshSettings(p.sub("voidFraction"), k), dragLaw(p.sub("drag")));
+    solids_ = std::make_unique<SolidsOnMesh>(mesh);
+    timeStep_ = std::make_unique<TimeStepChoice>(
+        const_cast<Time&>(mesh.time()), p.sub("timeStep"));
+    exchange_ = std::make_unique<ParticleExchange>(MPI_COMM_WORLD, onMesh_->locator().bounds());
+
+    {
+        StageClock::Scope timed(clock_, Stage::dem);
+        openDem(powder);
+    }
+    readSolids(p.sub("solids"));
+    p.allGroupsKnown();
+    checkScene();
+
+    // The powder as it lies, so that the first d(alpha)/dt starts from it.
+    moveSolids(0);
+    placeParcels(0);
+    onMesh_->depositVolume();
+    const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
+        dimensionedVector(dimVelocity, Zero));
+    onMesh_->depositDrag(atRest, density_, nu, mesh.time().deltaTValue());
+    refreshState();
+    state_.initialMass = 0;
+    for (int i = 0; i < state_.count; ++i)
+    {
+        state_.initialMass += state_.mass[i];
+    }
+    reduce(state_.initialMass, sumOp<scalar>());
+}
+
+CoupledPowder::~CoupledPowder() = default;
+
+void CoupledPowder::openDem(const dictionary& dict)
+{
+    const Parameters p(dict);
+    p.number("coarseGraining", "", Parameters::Range::positive, 1);
+    const fileName script = findScript(p.text("script"), mesh_.time(), p.where("script"));
+    DemOptions options;
+    options.logFile = "log.liggghts";
+    options.screenFile = "log.liggghts.screen";
+    if (p.has("parameters"))
+    {
+        options.variables =
+            numbersIn(mesh_.time().globalPath()/p.text("parameters"), p.where("parameters"));
+    }
+    p.allKnown();
+    options.variables["case"] = mesh_.time().globalPath();
+    options.variables["scripts"] = script.path();
+    options.variables["ranks"] = Foam::name(Pstream::nProcs());
+
+    dem_ = std::make_unique<DemEngine>(MPI_COMM_WORLD, options);
+    dem_->runScript(script);
+    dem_->couple();
+}
+
+void CoupledPowder::readSolids(const dictionary& dict)
+{
+    for (const word& name : dict.toc())
+    {
+        const Parameters p(dict.subDict(name));
+        const std::string wall = p.text("wall", string(name));
+        const std::vector<std::string> walls = dem_->meshWalls();
+        if (std::find(walls.begin(), walls.end(), wall) == walls.end())
+        {
+            throw unknownName("mesh wall of the LIGGGHTS script", wall, walls, p.where("wall"));
+        }
+        const fileName surface = mesh_.time().globalPath()/p.text("surface");
+        const bool seen = p.flag("seenByAir", true);
+        p.allKnown();
+        if (seen && hasAir_)
+        {
+            solids_->add(
+                std::make_unique<MovingSolid>(mesh_, name, surface, p.where("surface")));
+            solidWalls_.push_back(wall);
+        }
+    }
+}
+
+void CoupledPowder::checkScene() const
+{
+    const DemBox box = dem_->box();
+    const boundBox& cells = mesh_.bounds();
+    const boundBox powder(toFoam(box.low), toFoam(box.high));
+    if (!cells.overlaps(powder))
+    {
+        throw InputError({"Mesh and powder must share space.",
+            "LIGGGHTS' box and the mesh do not overlap", "overlapping boxes",
+            "create_box in the LIGGGHTS script; system/blockMeshDict",
+            "Check units (metres) and origin of both."});
+    }
+    const double diameter = 2*dem_->maximumRadius();
+    if (diameter > cmptMin(cells.span()) && onMesh_->box().period() == vector::zero)
+    {
+        throw InputError({"A particle must be smaller than the domain.",
+            "a diameter of " + std::to_string(diameter) + " m",
+            "less than " + std::to_string(cmptMin(cells.span())) + " m",
+            "particle radius in the LIGGGHTS script", "Check units (metres)."});
+    }
+}
+
+// Where the walls will be after an interval, like the powder.
+void CoupledPowder::moveSolids(double interval)
+{
+    std::vector<RigidPose> poses;
+    for (const std::string& wall : solidWalls_)
+    {
+        RigidPose pose = dem_->wallPose(wall);
+        for (int d = 0; d < 3; ++d)
+        {
+            pose.translation[d] += interval*pose.velocity[d];
+        }
+        poses.push_back(pose);
+    }
+    if (solids_->any())
+    {
+        solids_->move(poses);
+        onMesh_->cover(solids_->covered());
+    }
+}
+
+// Parcels travel to the ranks of their cells, at the positions that they will have after an
+// interval: the void fraction then belongs to the end of the step, as the pressure does.
+void CoupledPowder::placeParcels(double interval)
+{
+    const ParticleView view = dem_->particles();
+    std::vector<SearchPoint> points(view.count);
+    std::vector<ParcelRecord> own(view.count);
+    const PeriodicBox& box = onMesh_->box();
+    for (int i = 0; i < view.count; ++i)
+    {
+        const double* x = view.position[i];
+        const double* v = view.velocity[i];
+        const vector now(x[0], x[1], x[2]);
+        const vector then = now + interval*vector(v[0], v[1], v[2]);
+        points[i] = {toVec3(box.wrap(then)), toVec3(box.wrap(now))};
+        own[i] = {points[i].position, {v[0], v[1], v[2]}, dem_->impulse(i), 2*view.radius[i],
+            view.mass[i], view.id[i]};
+    }
+
+    std::vector<ParcelRecord> handled;
+    {
+        StageClock::Scope timed(clock_, Stage::exchange);
+        exchange_->plan(points, onMesh_->locator());
+        handled = exchange_->toHandlers(own);
+    }
+    onMesh_->place(std::move(handled), exchange_->cells());
+}
+
+void CoupledPowder::bringToMesh()
+{
+    placeParcels(0);
+}
+
+void CoupledPowder::chooseTimeStep(double courant)
+{
+    TimeStepChoice::Scene scene;
+    scene.air = hasAir_;
+    scene.courant = courant;
+    scene.response = onMesh_->report().shortestResponse;
+    scene.radius = dem_->minimumRadius();
+    scene.cell = std::cbrt(gMin(mesh_.V()));
+    scene.speed = dem_->maximumSpeed();
+    for (const std::string& wall : dem_->meshWalls())
+    {
+        scene.speed = max(scene.speed, mag(toFoam(dem_->wallPose(wall).velocity)));
+    }
+    const ParticleView view = dem_->particles();
+    for (int i = 0; i < view.count; ++i)
+    {
+        const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
+        scene.density = max(scene.density, view.mass[i]/volume);
+    }
+    reduce(scene.density, maxOp<scalar>());
+    timeStep_->choose(scene, *dem_);
+}
+
+void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
+{
+    const double interval = mesh_.time().deltaTValue();
+    StageClock::Scope timed(clock_, Stage::deposit);
+    moveSolids(interval);
+    placeParcels(interval);
+    onMesh_->depositVolume();
+    onMesh_->depositDrag(U, density_, nu, interval);
+    clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
+}
+
+void CoupledPowder::fromAir(const volVectorField& U, const volVectorField& pressureGradient)
+{
+    const double interval = mesh_.time().deltaTValue();
+    std::vector<GasRecord> own(dem_->particles().count);
+    {
+        StageClock::Scope timed(clock_, Stage::deposit);
+        const std::vector<GasRecord> handled =
+            onMesh_->gasAtParcels(U, pressureGradient, interval);
+        clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
+        StageClock::Scope exchanging(clock_, Stage::exchange);
+        exchange_->toOwners(handled, own);
+    }
+    StageClock::Scope timed(clock_, Stage::dem);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+        const GasRecord& air = own[i];
+        const Vec3 given{-air.given[0], -air.given[1], -air.given[2]};
+        dem_->setGas(static_cast<int>(i), {air.velocity, air.dragCoefficient, air.force}, given);
+    }
+    dem_->advance(timeStep_->demSteps());
+    refreshState();
+}
+
+void CoupledPowder::fall()
+{
+    StageClock::Scope timed(clock_, Stage::dem);
+    dem_->advance(timeStep_->demSteps());
+    refreshState();
+}
+
+void CoupledPowder::refreshState()
+{
+    const ParticleView view = dem_->particles();
+    state_.count = view.count;
+    state_.position = view.position;
+    state_.velocity = view.velocity;
+    state_.radius = view.radius;
+    state_.mass = view.mass;
+    state_.id = view.id;
+    state_.interval = mesh_.time().deltaTValue();
+    const PowderOnMesh::Report& report = onMesh_->report();
+    state_.clippedVolume = report.floor.clipped;
+    state_.movedVolume = report.floor.moved;
+    state_.outside = returnReduce(label(exchange_->outside().size()), sumOp<label>());
+    const long long before = state_.total;
+    state_.total = dem_->particleCount();
+    state_.lost += std::max(before - state_.total, 0LL);
+    state_.momentumRemainder = Zero;
+    for (int i = 0; hasAir_ && i < view.count; ++i)
+    {
+        state_.momentumRemainder += toFoam(dem_->impulse(i));
+    }
+    reduce(state_.momentumRemainder, sumOp<vector>());
+    for (const std::string& wall : dem_->meshWalls())
+    {
+        state_.wallTravel[wall] = toFoam(dem_->wallPose(wall).translation);
+    }
+}
+
+const std::string& CoupledPowder::bindingLimit() const
+{
+    return timeStep_->bindingLimit();
+}
+
+long CoupledPowder::demSteps() const
+{
+    return timeStep_->demSteps();
+}
+
+double CoupledPowder::demTimeStep() const
+{
+    return dem_->timeStep();
+}
+
+} // namespace interstice

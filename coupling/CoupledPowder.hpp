@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/mesh/PowderOnMesh.hpp"
+#include "coupling/mesh/PowderState.hpp"
+#include "coupling/mesh/SolidsOnMesh.hpp"
+#include "coupling/report/StageClock.hpp"
+
+#include <memory>
+
+namespace interstice
+{
+
+class DemEngine;
+class ParticleExchange;
+class TimeStepChoice;
+
+/// The powder: LIGGGHTS, its particles on the mesh, and what they exchange with the air. This is
+/// the library's front; a solver needs nothing else of it.
+///
+/// In each time step, t^n to t^{n+1}:
+///
+///     powder.chooseTimeStep(courant)   a whole number of DEM steps, within every limit
+///     ++runTime
+///     powder.toAir(U, nu)              void fraction at predicted positions, drag coefficients
+///     ... the air moves ...
+///     powder.fromAir(U, gradP)         air at the particles; DEM sub-steps to t^{n+1}
+///
+/// All member functions are collective unless said otherwise. Errors of the user's making are
+/// InputErrors, thrown on all ranks. Keys of constant/couplingProperties: see the README of
+/// foam_cases/dieFilling and the readers in CoupledPowder.cpp and TimeStepChoice.hpp.
+class CoupledPowder
+{
+public:
+    /// Opens LIGGGHTS, runs the case's script and deposits the powder as it lies, in air at rest.
+    /// `density` [kg/m3] and kinematic viscosity `nu` of the air.
+    CoupledPowder(Foam::fvMesh& mesh, double density, const Foam::volScalarField& nu,
+        StageClock& clock);
+    ~CoupledPowder();
+    CoupledPowder(const CoupledPowder&) = delete;
+    CoupledPowder& operator=(const CoupledPowder&) = delete;
+
+    /// False: no air is simulated and the powder falls freely (`air off`).
+    bool hasAir() const { return hasAir_; }
+
+    /// Sets deltaT of the clock. `courant`: of the air in the step just done, zero without air.
+    void chooseTimeStep(double courant);
+
+    /// Powder to mesh, for the step that has just begun.
+    void toAir(const Foam::volVectorField& U, const Foam::volScalarField& nu);
+
+    /// Air to particles, then DEM to the time of the clock. `pressureGradient` in Pa/m.
+    void fromAir(const Foam::volVectorField& U, const Foam::volVectorField& pressureGradient);
+
+    /// DEM to the time of the clock, with no air.
+    void fall();
+
+    // What the equations of the air take from the powder. Local.
+    PowderOnMesh& onMesh() { return *onMesh_; }
+    const SolidsOnMesh& solids() const { return *solids_; }
+    const PowderState& state() const { return state_; }
+    const std::string& bindingLimit() const; ///< which limit set the time step
+    long demSteps() const; ///< in this time step
+    double demTimeStep() const; ///< [s]
+
+    /// The particles handled on this rank, where they are now; collective, costs an exchange.
+    void bringToMesh();
+
+private:
+    void openDem(const Foam::dictionary& dict);
+    void readSolids(const Foam::dictionary& dict);
+    void checkScene() const;
+    void moveSolids(double interval);
+    void placeParcels(double interval);
+    void advanceDem();
+    void refreshState();
+
+    Foam::fvMesh& mesh_;
+    StageClock& clock_;
+    double density_;
+    bool hasAir_ = true;
+    std::unique_ptr<DemEngine> dem_;
+    std::unique_ptr<PowderOnMesh> onMesh_;
+    std::unique_ptr<SolidsOnMesh> solids_;
+    std::vector<std::string> solidWalls_; // LIGGGHTS fix of each solid
+    std::unique_ptr<ParticleExchange> exchange_;
+    std::unique_ptr<TimeStepChoice> timeStep_;
+    PowderState state_;
+};
+
+} // namespace interstice

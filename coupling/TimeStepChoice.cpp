@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/TimeStepChoice.hpp"
+
+#include "coupling/dem/DemEngine.hpp"
+#include "coupling/laws/InputError.hpp"
+#include "coupling/laws/TimeScales.hpp"
+#include "coupling/mesh/Parameters.hpp"
+
+#include "IOstreams.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+std::string text(double number)
+{
+    std::ostringstream stream;
+    stream << number;
+    return stream.str();
+}
+
+// Two significant digits, downwards: round steps make round output times.
+double roundedDown(double step)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
+    return std::floor(step/unit*(1 + 1e-9))*unit;
+}
+
+} // namespace
+
+TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
+:
+    time_(time)
+{
+    using Range = Parameters::Range;
+    const Parameters p(dict);
+    file_ = Parameters::nameOf(dict);
+    couplingNumber_ = p.number("couplingNumber", "", Range::positive, 0.2);
+    stabilityLimit_ = p.number("stabilityLimit", "", Range::positive, 1);
+    parcelCourant_ = p.number("parcelCourant", "", Range::positive, 0.5);
+    fixedDemStep_ = p.number("demStep", "s", Range::positive, -1);
+    rayleighFraction_ = p.number("rayleighFraction", "", Range::fraction, 0.2);
+    hertzFraction_ = p.number("hertzFraction", "", Range::fraction, 0.15);
+    expectedSpeed_ = p.number("expectedSpeed", "m/s", Range::positive, 0.5);
+    minDemStep_ = p.number("minDemStep", "s", Range::positive, 1e-9);
+    maxDemStep_ = p.number("maxDemStep", "s", Range::positive, 1e-4);
+    p.allKnown();
+
+    const dictionary& control = time.controlDict();
+    adjust_ = control.getOrDefault<bool>("adjustTimeStep", true);
+    maxCo_ = control.getOrDefault<scalar>("maxCo", 1);
+    maxDeltaT_ = control.getOrDefault<scalar>("maxDeltaT", GREAT);
+}
+
+TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const DemEngine& dem) const
+{
+    const auto property = [&](const char* name)
+    {
+        const std::vector<double> values = dem.materialProperty(name);
+        if (values.empty())
+        {
+            throw InputError({"The DEM step is chosen from the stiffness of the particles.",
+                std::string("no property ") + name + " in the LIGGGHTS script",
+                "fix ... property/global " + std::string(name) + " peratomtype ...",
+                file_, "Add it to the script, or fix the step by demStep."});
+        }
+        return values;
+    };
+    const std::vector<double> youngs = property("youngsModulus");
+    const std::vector<double> poisson = property("poissonsRatio");
+
+    DemLimits limits{GREAT, GREAT};
+    for (std::size_t type = 0; type < youngs.size(); ++type)
+    {
+        const double nu = poisson[std::min(type, poisson.size() - 1)];
+        limits.rayleigh = std::min(
+            limits.rayleigh, rayleighTime(scene.radius, scene.density, youngs[type], nu));
+        const double mass = 4.0/3.0*constant::mathematical::pi*std::pow(scene.radius, 3)
+            *scene.density;
+        limits.hertz = std::min(limits.hertz,
+            hertzTime(mass/2, scene.radius/2, youngs[type]/(2*(1 - nu*nu)),
+                std::max(scene.speed, expectedSpeed_)));
+    }
+    return limits;
+}
+
+void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
+{
+    if (scene.radius <= 0)
+    {
+        if (first_ && fixedDemStep_ > 0)
+        {
+            dem.setTimeStep(fixedDemStep_);
+        }
+        return; // nothing that could be unstable: the script's step stands
+    }
+    const bool stiffnessKnown = !dem.materialProperty("youngsModulus").empty();
+    if (fixedDemStep_ > 0 && !stiffnessKnown)
+    {
+        if (first_)
+        {
+            dem.setTimeStep(fixedDemStep_);
+        }
+        return;
+    }
+
+    const DemLimits limits = demLimits(scene, dem);
+    double step = fixedDemStep_;
+    if (fixedDemStep_ > 0)
+    {
+        if (fixedDemStep_ > 0.5*std::min(limits.rayleigh, limits.hertz))
+        {
+            throw InputError({"The DEM step is too long for the contacts.",
+                "demStep " + text(fixedDemStep_) + " s",
+                "less than half the Rayleigh time " + text(limits.rayleigh)
+                    + " s and half the Hertz time " + text(limits.hertz) + " s",
+                file_ + ", key demStep", "Remove demStep to have it chosen, or lower it."});
+        }
+    }
+    else
+    {
+        step = std::min({rayleighFraction_*limits.rayleigh, hertzFraction_*limits.hertz,
+            maxDemStep_});
+        step = roundedDown(std::max(step, minDemStep_));
+        if (!adjust_)
+        {
+            const double fluidStep = time_.deltaTValue();
+            step = fluidStep/std::ceil(fluidStep/step*(1 - 1e-9));
+        }
+    }
+    // A set-up of LIGGGHTS costs time and disturbs nothing but the last digits; still, no more of
+    // them than stability asks for.
+    const double now = dem.timeStep();
+    if (first_ || step < 0.8*now || step > 2*now)
+    {
+        if (std::abs(step - now) > 1e-12*now)
+        {
+            dem.setTimeStep(step);
+        }
+        Info<< "DEM step " << step << " s: " << 100*step/limits.rayleigh
+            << " % of the Rayleigh time, " << 100*step/limits.hertz << " % of the Hertz time at "
+            << std::max(scene.speed, expectedSpeed_) << " m/s" << nl << endl;
+    }
+}
+
+double TimeStepChoice::largestStep(const Scene& scene)
+{
+    double step = maxDeltaT_;
+    binding_ = "maxDeltaT";
+    const auto limit = [&](double candidate, const char* name)
+    {
+        if (candidate < step)
+        {
+            step = candidate;
+            binding_ = name;
+        }
+    };
+    if (scene.air)
+    {
+        if (scene.courant > SMALL)
+        {
+            limit(maxCo_/scene.courant*time_.deltaTValue(), "Courant number");
+        }
+        if (scene.response > 0)
+        {
+            limit(couplingNumber_*scene.response, "powder response");
+        }
+        if (!first_)
+        {
+            limit(1.2*time_.deltaTValue(), "growth");
+        }
+    }
+    if (scene.speed > 0)
+    {
+        limit(parcelCourant_*scene.cell/scene.speed, "particle travel");
+    }
+    if (step >= GREAT)
+    {
+        step = time_.deltaTValue();
+        binding_ = "deltaT";
+    }
+    return step;
+}
+
+void TimeStepChoice::refuseUnstable(const Scene& scene, double step) const
+{
+    const double limit = stabilityLimit_*scene.response;
+    if (scene.air && scene.response > 0 && step > limit)
+    {
+        throw InputError({"The fixed coupling step is unstable: powder and trapped air would "
+                          "swing against each other.",
+            "deltaT " + text(step) + " s = " + text(step/scene.response)
+                + " of the powder's response time " + text(scene.response) + " s",
+            "at most " + text(limit) + " s; accurate below "
+                + text(couplingNumber_*scene.response) + " s",
+            "system/controlDict, key deltaT (adjustTimeStep off)",
+            "Set adjustTimeStep on to have it chosen, or deltaT to "
+                + text(roundedDown(couplingNumber_*scene.response)) + "."});
+    }
+}
+
+// A whole number of steps to the next output, in equal shares.
+long TimeStepChoice::alignWithOutput(long steps, double demStep)
+{
+    double next = time_.endTime().value();
+    const word control = time_.controlDict().getOrDefault<word>("writeControl", "timeStep");
+    if (control == "runTime" || control == "adjustable" || control == "adjustableRunTime")
+    {
+        const double interval = time_.controlDict().get<scalar>("writeInterval");
+        const double passed = time_.value() - time_.startTime().value();
+        const double done = std::floor(passed/interval + 0.5*demStep/interval);
+        next = std::min(next, time_.startTime().value() + (done + 1)*interval);
+    }
+    const long distance = std::lround((next - time_.value())/demStep);
+    if (distance <= 0)
+    {
+        return steps;
+    }
+    if (steps >= distance)
+    {
+        binding_ = "output";
+        return distance;
+    }
+    const long parts = (distance + steps - 1)/steps;
+    return (distance + parts - 1)/parts;
+}
+
+void TimeStepChoice::choose(const Scene& scene, DemEngine& dem)
+{
+    chooseDemStep(scene, dem);
+    const double demStep = dem.timeStep();
+
+    if (adjust_)
+    {
+        const long steps =
+            std::max(1L, static_cast<long>(largestStep(scene)/demStep*(1 + 1e-9)));
+        demSteps_ = alignWithOutput(steps, demStep);
+    }
+    else
+    {
+        const double fixed = time_.deltaTValue();
+        refuseUnstable(scene, fixed);
+        binding_ = "deltaT";
+        demSteps_ = std::lround(fixed/demStep);
+        if (demSteps_ < 1 || std::abs(demSteps_*demStep - fixed) > 1e-6*fixed)
+        {
+            throw InputError({"The fluid step is not a whole number of DEM steps.",
+                "deltaT " + text(fixed) + " s = " + text(fixed/demStep) + " DEM steps of "
+                    + text(demStep) + " s",
+                "a whole number of at least 1", "system/controlDict, key deltaT",
+                "Set deltaT to " + text(std::max(1L, demSteps_)*demStep) + "."});
+        }
+    }
+    time_.setDeltaT(demSteps_*demStep, false);
+    first_ = false;
+}
+
+} // namespace interstice

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/mesh/SolidsOnMesh.hpp"
+
+#include "zeroGradientFvPatchFields.H"
+
+#include <cmath>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+// Resistance of a covered cell relative to the air's inertia 1/dt: large enough that what leaks
+// through a wall is far below the minimum fluidisation velocity.
+constexpr scalar stiffness = 1e6;
+
+} // namespace
+
+SolidsOnMesh::SolidsOnMesh(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    covered_(IOobject("solid", mesh.time().timeName(), mesh, IOobject::NO_READ,
+                 IOobject::AUTO_WRITE),
+        mesh, dimensionedScalar(dimless, Zero), zeroGradientFvPatchScalarField::typeName),
+    velocity_(IOobject("solidVelocity", mesh.time().timeName(), mesh), mesh,
+        dimensionedVector(dimVelocity, Zero), zeroGradientFvPatchVectorField::typeName)
+{}
+
+void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
+{
+    covered_ = dimensionedScalar(dimless, Zero);
+    velocity_ = dimensionedVector(dimVelocity, Zero);
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+    {
+        solids_[i]->cover(poses[i], covered_, velocity_);
+    }
+    covered_.correctBoundaryConditions();
+    velocity_.correctBoundaryConditions();
+}
+
+tmp<volScalarField> SolidsOnMesh::resistance(scalar dt) const
+{
+    auto field = tmp<volScalarField>::New(IOobject("solidResistance", mesh_.time().timeName(),
+                                              mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        mesh_, dimensionedScalar(dimless/dimTime, Zero),
+        zeroGradientFvPatchScalarField::typeName);
+    scalarField& sigma = field.ref().primitiveFieldRef();
+    forAll(sigma, celli)
+    {
+        sigma[celli] = (std::pow(stiffness, covered_[celli]) - 1)/dt;
+    }
+    field.ref().correctBoundaryConditions();
+    return field;
+}
+
+} // namespace interstice

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/mesh/MovingSolid.hpp"
+
+namespace interstice
+{
+
+/// All rigid bodies that the air sees, as three fields: what they cover, how they move, and how
+/// hard they hold the air.
+class SolidsOnMesh
+{
+public:
+    explicit SolidsOnMesh(const Foam::fvMesh& mesh);
+
+    void add(std::unique_ptr<MovingSolid> solid) { solids_.push_back(std::move(solid)); }
+    const std::vector<std::unique_ptr<MovingSolid>>& solids() const { return solids_; }
+    bool any() const { return !solids_.empty(); }
+
+    /// Local. Poses in the order of solids().
+    void move(const std::vector<RigidPose>& poses);
+
+    const Foam::volScalarField& covered() const { return covered_; } ///< [0, 1]
+    const Foam::volVectorField& velocity() const { return velocity_; } ///< [m/s]
+
+    /// Coefficient of the Brinkman force resistance (velocity - U), per mass of air [1/s], for a
+    /// time step dt: zero where nothing is covered. See MovingSolid.
+    Foam::tmp<Foam::volScalarField> resistance(Foam::scalar dt) const;
+
+private:
+    const Foam::fvMesh& mesh_;
+    std::vector<std::unique_ptr<MovingSolid>> solids_;
+    Foam::volScalarField covered_;
+    Foam::volVectorField velocity_;
+};
+
+} // namespace interstice

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AirFlow.hpp"
+
+#include "coupling/laws/InputError.hpp"
+
+#include "findRefCell.H"
+#include "fvc.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+IOobject field(const char* name, const fvMesh& mesh, IOobject::readOption read,
+    IOobject::writeOption write)
+{
+    return IOobject(name, mesh.time().timeName(), mesh, read, write);
+}
+
+surfaceScalarField givenFluxes(const volVectorField& U)
+{
+    surfaceScalarField given(IOobject("fixedFlux", U.time().timeName(), U.mesh()), U.mesh(),
+        dimensionedScalar(dimless, Zero));
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& patch = U.boundaryField()[patchi];
+        given.boundaryFieldRef()[patchi] = !patch.assignable() && !patch.coupled() ? 1 : 0;
+    }
+    return given;
+}
+
+void requireEuler(const fvMesh& mesh)
+{
+    const word scheme(mesh.ddtScheme("ddt(U)"));
+    if (scheme != "Euler")
+    {
+        throw InputError({"Powder and air are coupled by the implicit Euler scheme.", scheme,
+            "Euler", "system/fvSchemes, ddtSchemes", "Set ddtSchemes { default Euler; }."});
+    }
+}
+
+} // namespace
+
+AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
+:
+    mesh_(mesh),
+    clock_(clock),
+    pimple_(mesh),
+    U_(field("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
+    p_(field("p", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
+    alpha_(field("voidFraction", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE), mesh,
+        dimensionedScalar("one", dimless, 1), zeroGradientFvPatchScalarField::typeName),
+    ddtAlpha_(field("ddtVoidFraction", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+        mesh, dimensionedScalar(dimless/dimTime, Zero)),
+    alphaPhi_(field("alphaPhi", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+        fvc::flux(U_)),
+    phi_(field("phi", mesh, IOobject::NO_READ, IOobject::NO_WRITE), alphaPhi_),
+    gradP_(field("pressureGradient", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
+        dimensionedVector(dimAcceleration, Zero)),
+    resistance_(field("resistance", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
+        dimensionedScalar(dimless/dimTime, Zero), zeroGradientFvPatchScalarField::typeName),
+    source_(field("momentumSource", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
+        dimensionedVector(dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
+    fixedFlux_(givenFluxes(U_)),
+    transport_(U_, phi_),
+    density_(dimensionedScalar("rho", dimDensity, transport_).value()),
+    nu_("laminarViscosity", transport_.nu()),
+    gravity_("gravityOnAir", dimAcceleration, transport_.lookupOrDefault<vector>("gravity", Zero)),
+    turbulence_(Turbulence::New(alpha_, U_, alphaPhi_, phi_, transport_).ptr())
+{
+    if (density_ <= 0)
+    {
+        throw InputError({"The density of the air must be positive.", Foam::name(density_),
+            "rho [1 -3 0 0 0 0 0] 1.2;", "constant/transportProperties, key rho",
+            "Correct the value."});
+    }
+    requireEuler(mesh);
+    mesh.setFluxRequired(p_.name());
+    setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
+    U_.oldTime();
+    alpha_.oldTime();
+    ddtAlpha_.oldTime();
+    alphaPhi_.oldTime();
+}
+
+void AirFlow::start(const PowderOnMesh& powder)
+{
+    alpha_ == powder.voidFraction();
+    alpha_.oldTime() == alpha_;
+    alphaPhi_ = fvc::interpolate(alpha_)*phi_;
+    alphaPhi_.oldTime() == alphaPhi_;
+}
+
+void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
+{
+    const dimensionedScalar rho("rho", dimDensity, density_);
+    alpha_ == powder.voidFraction();
+    ddtAlpha_ = (alpha_ - alpha_.oldTime())/mesh_.time().deltaT();
+
+    resistance_ = powder.dragCoefficient()/rho;
+    source_ = (powder.dragSource() + powder.carrySource())/rho + alpha_*gravity_;
+    if (solids.any())
+    {
+        const volScalarField hold(solids.resistance(mesh_.time().deltaTValue()));
+        resistance_ += hold;
+        source_ += hold*solids.velocity();
+    }
+    report_.pressureIterations = 0;
+    report_.spreadSource = 0;
+}
+
+void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
+{
+    begin(powder, solids);
+    while (pimple_.loop())
+    {
+        fvVectorMatrix UEqn(inertia());
+        predictVelocity(UEqn);
+        while (pimple_.correct())
+        {
+            correctPressure(UEqn);
+        }
+        if (pimple_.turbCorr())
+        {
+            StageClock::Scope timed(clock_, Stage::momentum);
+            transport_.correct();
+            turbulence_->correct();
+        }
+    }
+    finish();
+}
+
+void AirFlow::finish()
+{
+    phi_ = alphaPhi_/fvc::interpolate(alpha_);
+    nu_ = transport_.nu();
+    const scalar dt = mesh_.time().deltaTValue();
+    const scalarField throughput(fvc::surfaceSum(mag(phi_))().primitiveField());
+    report_.courant = 0.5*gMax(scalarField(throughput/mesh_.V().field()))*dt;
+    report_.maxSpeed = gMax(mag(U_.primitiveField()));
+    const volScalarField error(fvc::div(alphaPhi_) + ddtAlpha_);
+    report_.continuityError = gMax(mag(error.primitiveField()))*dt;
+}
+
+} // namespace interstice

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/mesh/PowderOnMesh.hpp"
+#include "coupling/mesh/SolidsOnMesh.hpp"
+#include "coupling/report/StageClock.hpp"
+
+#include "PhaseIncompressibleTurbulenceModel.H"
+#include "fvMatrices.H"
+#include "pimpleControl.H"
+#include "singlePhaseTransportModel.H"
+
+namespace interstice
+{
+
+/// The air: its fields and one PIMPLE step. The two equations stand in momentumEquation.cpp and
+/// pressureEquation.cpp.
+///
+/// Inertia and convection use the void fraction and flux of the step before, a pair that satisfies
+/// continuity exactly; so momentum is conserved to round-off, and a uniform velocity stays uniform,
+/// without outer iterations. Drag, pressure and continuity use the new void fraction.
+class AirFlow
+{
+public:
+    struct Report
+    {
+        double courant = 0;
+        double maxSpeed = 0; ///< [m/s]
+        double continuityError = 0; ///< largest |d(alpha)/dt + div(alpha U)| dt
+        double spreadSource = 0; ///< volume source spread over a closed box [m3/s]
+        int pressureIterations = 0; ///< in this step
+    };
+
+    /// Reads U, p and constant/transportProperties (nu, rho).
+    AirFlow(Foam::fvMesh& mesh, StageClock& clock);
+
+    double density() const { return density_; } ///< [kg/m3]
+    const Foam::volScalarField& nu() const { return nu_; }
+    const Foam::volVectorField& U() const { return U_; }
+    double courant() const { return report_.courant; }
+    const Report& report() const { return report_; }
+
+    /// Void fraction to start from. Collective, once.
+    void start(const PowderOnMesh& powder);
+
+    /// Collective. Moves the air over the time step, with the powder as it lies on the mesh.
+    void solve(const PowderOnMesh& powder, const SolidsOnMesh& solids);
+
+    /// Of the last step, [Pa/m]: what the particles feel.
+    Foam::tmp<Foam::volVectorField> pressureGradient() const
+    {
+        return Foam::dimensionedScalar("rho", Foam::dimDensity, density_)*gradP_;
+    }
+
+private:
+    using Turbulence = Foam::PhaseIncompressibleTurbulenceModel<Foam::singlePhaseTransportModel>;
+
+    void begin(const PowderOnMesh& powder, const SolidsOnMesh& solids);
+    Foam::fvVectorMatrix inertia();
+    void predictVelocity(Foam::fvVectorMatrix& UEqn);
+    void correctPressure(const Foam::fvVectorMatrix& UEqn);
+    Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
+    void finish();
+
+    Foam::fvMesh& mesh_;
+    StageClock& clock_;
+    Foam::pimpleControl pimple_;
+
+    Foam::volVectorField U_; ///< interstitial
+    Foam::volScalarField p_; ///< over density
+    Foam::volScalarField alpha_; ///< void fraction
+    Foam::volScalarField ddtAlpha_; ///< of this step; its old value belongs to alphaPhi's
+    Foam::surfaceScalarField alphaPhi_; ///< flux of alpha U
+    Foam::surfaceScalarField phi_; ///< flux of U
+    Foam::volVectorField gradP_; ///< pressure gradient that corrects U and moves particles
+    Foam::volScalarField resistance_; ///< drag and solids, (K/rho + sigma) [1/s]
+    Foam::volVectorField source_; ///< (K U_s + carry)/rho + sigma U_wall + alpha g [m/s2]
+    Foam::surfaceScalarField fixedFlux_; ///< 1 where a boundary gives the flux
+
+    Foam::singlePhaseTransportModel transport_;
+    double density_;
+    Foam::volScalarField nu_;
+    Foam::dimensionedVector gravity_; ///< of the air; zero unless asked for
+    std::unique_ptr<Turbulence> turbulence_;
+    Foam::label pRefCell_ = 0;
+    Foam::scalar pRefValue_ = 0;
+    Report report_;
+};
+
+} // namespace interstice

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RunLog.hpp"
+
+#include "OSspecific.H"
+#include "Pstream.H"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <fstream>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+std::string duration(double seconds)
+{
+    char text[32];
+    const long s = std::lround(seconds);
+    if (s < 60)
+    {
+        std::snprintf(text, sizeof text, "%ld s", s);
+    }
+    else if (s < 3600)
+    {
+        std::snprintf(text, sizeof text, "%ld min %02ld s", s/60, s % 60);
+    }
+    else
+    {
+        std::snprintf(text, sizeof text, "%ld h %02ld min", s/3600, s/60 % 60);
+    }
+    return text;
+}
+
+} // namespace
+
+RunLog::RunLog(Time& time, CoupledPowder& powder, StageClock& clock)
+:
+    time_(time),
+    powder_(powder),
+    clock_(clock),
+    tableEvery_(time.controlDict().getOrDefault<scalar>("timeTableEvery", 60)),
+    nextTable_(tableEvery_)
+{}
+
+void RunLog::step(const AirFlow::Report& air)
+{
+    const double passed = time_.value() - time_.startTime().value();
+    const double whole = time_.endTime().value() - time_.startTime().value();
+    const double share = min(passed/whole, 1.0);
+    const PowderState& state = powder_.state();
+
+    char line[256];
+    std::snprintf(line, sizeof line, "t = %.6g s  %5.1f %%  left %s | %lld particles", time_.value(),
+        100*share, duration(clock_.elapsed()*(1 - share)/max(share, 1e-9)).c_str(), state.total);
+    std::string text = line;
+    for (const auto& note : state.notes)
+    {
+        text += " | " + note.first + ' ' + note.second;
+    }
+    std::snprintf(line, sizeof line, " | dt %.3g s (%s, %ld DEM steps)", time_.deltaTValue(),
+        powder_.bindingLimit().c_str(), powder_.demSteps());
+    text += line;
+    if (powder_.hasAir())
+    {
+        std::snprintf(line, sizeof line, " | air max %.3g m/s, Co %.2f, p iterations %d", air.maxSpeed,
+            air.courant, air.pressureIterations);
+        text += line;
+    }
+    if (state.outside)
+    {
+        text += " | " + std::to_string(state.outside) + " outside the mesh";
+    }
+    if (state.lost)
+    {
+        text += " | " + std::to_string(state.lost) + " LOST";
+    }
+    if (state.clippedVolume > 0)
+    {
+        std::snprintf(line, sizeof line, " | %.2g m3 of powder not seen by the air",
+            state.clippedVolume);
+        text += line;
+    }
+    Info<< text.c_str() << endl;
+
+    // Ranks disagree about the wall time; the first one decides for all.
+    bool due = clock_.elapsed() > nextTable_;
+    Pstream::scatter(due);
+    if (due)
+    {
+        nextTable_ = clock_.elapsed() + tableEvery_;
+        table();
+    }
+}
+
+void RunLog::write()
+{
+    StageClock::Scope timed(clock_, Stage::output);
+    time_.write();
+}
+
+void RunLog::end()
+{
+    table();
+    Info<< "End" << nl << endl;
+}
+
+void RunLog::table()
+{
+    const StageTimes times = clock_.gather(MPI_COMM_WORLD);
+    Info<< nl << times.table().c_str() << endl;
+    if (Pstream::master())
+    {
+        json(times);
+    }
+}
+
+// Written beside and renamed, so that a kill leaves the old file or the new one.
+void RunLog::json(const StageTimes& times) const
+{
+    nlohmann::ordered_json out;
+    out["time"] = time_.value();
+    out["endTime"] = time_.endTime().value();
+    out["ranks"] = Pstream::nProcs();
+    out["wallSeconds"] = times.wall;
+    for (const StageTimes::Row& row : times.rows)
+    {
+        out["stages"][row.name] = {{"min", row.min}, {"mean", row.mean}, {"max", row.max}};
+    }
+    const fileName folder = time_.globalPath()/"postProcessing";
+    mkDir(folder);
+    {
+        std::ofstream file(folder/"time.json.new");
+        file << out.dump(2) << '\n';
+    }
+    mv(folder/"time.json.new", folder/"time.json");
+}
+
+} // namespace interstice

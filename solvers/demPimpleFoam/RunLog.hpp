@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "AirFlow.hpp"
+
+#include "coupling/CoupledPowder.hpp"
+
+namespace interstice
+{
+
+/// What the user sees of a run: one line a step, the table of stages at intervals and at the end,
+/// and postProcessing/time.json, rewritten at each table, which survives a kill.
+class RunLog
+{
+public:
+    RunLog(Foam::Time& time, CoupledPowder& powder, StageClock& clock);
+
+    /// Collective, after each step.
+    void step(const AirFlow::Report& air);
+
+    /// Writes fields and particles if the clock says so. Collective.
+    void write();
+
+    /// The last table.
+    void end();
+
+private:
+    void table();
+    void json(const StageTimes& times) const;
+
+    Foam::Time& time_;
+    CoupledPowder& powder_;
+    StageClock& clock_;
+    double tableEvery_; // [s of wall time]
+    double nextTable_;
+};
+
+} // namespace interstice

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// demPimpleFoam: powder (LIGGGHTS) in air (volume-averaged Navier-Stokes, incompressible, PIMPLE).
+//
+//     d(alpha)/dt + div(alpha U) = 0
+//     d(alpha U)/dt + div(alpha U U) = -alpha grad(p) + div(alpha tau) - K/rho (U - U_s) + alpha g
+//
+// Model A of Zhou, Kuang, Chu & Yu, J. Fluid Mech. 661 (2010) 482-510: the air loses what drag gives
+// to the powder, and the powder feels -V grad(p) besides. p is the pressure over the density.
+
+#include "AirFlow.hpp"
+#include "RunLog.hpp"
+#include "Session.hpp"
+
+#include "coupling/CoupledPowder.hpp"
+
+using namespace Foam;
+
+static int run(int argc, char* argv[])
+{
+    interstice::Session session(argc, argv);
+    Time& runTime = session.time();
+    fvMesh& mesh = session.mesh();
+
+    interstice::StageClock clock;
+    interstice::AirFlow air(mesh, clock);
+    interstice::CoupledPowder powder(mesh, air.density(), air.nu(), clock);
+    air.start(powder.onMesh());
+    interstice::RunLog log(runTime, powder, clock);
+
+    while (runTime.run())
+    {
+        powder.chooseTimeStep(air.courant());
+        ++runTime;
+
+        if (powder.hasAir())
+        {
+            powder.toAir(air.U(), air.nu());
+            air.solve(powder.onMesh(), powder.solids());
+            powder.fromAir(air.U(), air.pressureGradient());
+        }
+        else
+        {
+            powder.fall();
+        }
+
+        log.step(air.report());
+        log.write();
+    }
+    log.end();
+    return 0;
+}
+
+int main(int argc, char* argv[])
+{
+    return interstice::Session::guard(run, argc, argv);
+}

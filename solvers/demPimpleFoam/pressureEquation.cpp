@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AirFlow.hpp"
+
+#include "coupling/mesh/BedFaces.hpp"
+
+#include "fvc.H"
+#include "fvm.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+// Cell values of U^n say less about the fluxes of the last step than these themselves: without this
+// term, pressure and velocity decouple into a chequerboard when the time step is short (Rhie & Chow,
+// AIAA J. 21 (1983) 1525-1532; limited as OpenFOAM's ddtCorr is). Flux of h [m3/s2].
+tmp<surfaceScalarField> AirFlow::memoryOfFlux() const
+{
+    const surfaceScalarField fromCells
+    (
+        fvc::flux(alpha_.oldTime()*U_.oldTime())
+    );
+    const surfaceScalarField& old = alphaPhi_.oldTime();
+    const dimensionedScalar tiny("tiny", old.dimensions(), VSMALL);
+    tmp<surfaceScalarField> memory
+    (
+        (1 - min(mag(old - fromCells)/(mag(old) + tiny), scalar(1)))
+       *(old - fromCells)/(fvc::interpolate(alpha_)*mesh_.time().deltaT())
+    );
+    for (fvsPatchScalarField& patch : memory.ref().boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch = Zero;
+        }
+    }
+    return memory;
+}
+
+// With w = alpha U, the momentum of the air is (inertia + resistance) w = h + b - grad(p); across
+// faces its resistances act in series (see BedFaces.hpp).
+void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
+{
+    StageClock::Scope timed(clock_, Stage::pressure);
+
+    const volVectorField H(UEqn.H());
+    const volScalarField A(UEqn.A());
+    const volScalarField inertia(A/sqr(alpha_));
+    const volScalarField resistance(resistance_/sqr(alpha_));
+    const volVectorField b(source_/alpha_);
+
+    const surfaceScalarField inertiaf(bedFaces::inSeries(inertia));
+    const surfaceScalarField D(1/(inertiaf + bedFaces::inSeries(resistance)));
+    const surfaceScalarField h
+    (
+        (bedFaces::inSeries(volVectorField(H/alpha_)) & mesh_.Sf()) + memoryOfFlux()
+    );
+    surfaceScalarField predicted
+    (
+        "predictedFlux",
+        D*(h + (bedFaces::inSeries(b) & mesh_.Sf()))
+    );
+    predicted =
+        fixedFlux_*fvc::interpolate(alpha_)*fvc::flux(U_) + (1 - fixedFlux_)*predicted;
+
+    volScalarField gain(fvc::div(predicted) + ddtAlpha_);
+    if (p_.needReference())
+    {
+        // Nothing can leave a closed box: powder put in or taken out is shared among all cells.
+        const dimensionedScalar mean(gain.weightedAverage(mesh_.V()));
+        report_.spreadSource = mean.value()*gSum(mesh_.V());
+        gain -= mean;
+    }
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix pEqn
+        (
+            fvm::laplacian(D, p_) == gain
+        );
+        pEqn.setReference(pRefCell_, pRefValue_);
+        const bool final = pimple_.finalInnerIter();
+        report_.pressureIterations +=
+            pEqn.solve(mesh_.solver(p_.select(final))).nIterations();
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            alphaPhi_ = predicted - pEqn.flux();
+        }
+    }
+
+    gradP_ = bedFaces::pressureGradient(alphaPhi_, h - inertiaf*alphaPhi_, resistance, b, fixedFlux_);
+    U_ = (H + source_ - alpha_*gradP_)/(A + resistance_);
+    U_.correctBoundaryConditions();
+}
+
+} // namespace interstice
