@@ -33,6 +33,20 @@ public:
     template<unsigned N, class Quantity>
     Foam::List<Packed<N>> deposit(const Quantity& quantity) const;
 
+    /// Collective. The same where each share has a quantity of its own: quantity(i, w) is what
+    /// share w of particle i (see ParticleWeights) gives to its cell.
+    template<unsigned N, class Quantity>
+    Foam::List<Packed<N>> depositShares(const Quantity& quantity) const;
+
+    /// Collective. Field smoothed, on own cells and ghosts: what a share meets in its cell. The
+    /// adjoint of depositShares is the sum over shares of their quantity times this.
+    template<unsigned N>
+    void smoothed(Foam::List<Packed<N>>& field) const
+    {
+        smoothing_.smooth(field);
+        halo_.toGhosts(field);
+    }
+
     /// Collective. Field smoothed and at each particle; `field` is nCells long, used up.
     template<unsigned N>
     std::vector<Packed<N>> sample(Foam::List<Packed<N>>&& field) const
@@ -67,16 +81,38 @@ inline ParticleMeshTransfer::ParticleMeshTransfer(const Foam::fvMesh& mesh, cons
 template<unsigned N, class Quantity>
 Foam::List<Packed<N>> ParticleMeshTransfer::deposit(const Quantity& quantity) const
 {
+    int last = -1;
+    Packed<N> whole(Foam::Zero);
+    return depositShares<N>(
+        [&](int i, int w)
+        {
+            if (i != last)
+            {
+                whole = quantity(i);
+                last = i;
+            }
+            Packed<N> part;
+            for (unsigned n = 0; n < N; ++n)
+            {
+                part[n] = weights_.shares[w]*whole[n];
+            }
+            return part;
+        });
+}
+
+template<unsigned N, class Quantity>
+Foam::List<Packed<N>> ParticleMeshTransfer::depositShares(const Quantity& quantity) const
+{
     Foam::List<Packed<N>> density(halo_.size(), Packed<N>(Foam::Zero));
     for (int i = 0; i < weights_.count(); ++i)
     {
-        const Packed<N> q = quantity(i);
         for (int w = weights_.offsets[i]; w < weights_.offsets[i + 1]; ++w)
         {
+            const Packed<N> q = quantity(i, w);
             Packed<N>& cell = density[weights_.cells[w]];
             for (unsigned n = 0; n < N; ++n)
             {
-                cell[n] += weights_.shares[w]*q[n];
+                cell[n] += q[n];
             }
         }
     }

@@ -23,6 +23,10 @@ GeometricField<Type, fvPatchField, volMesh> cellField(const fvMesh& mesh, const 
         dimensioned<Type>(name, dimensions, value), zeroGradientFvPatchField<Type>::typeName);
 }
 
+// Cells whose void fractions differ by less are one to the drag law: its curvature then changes
+// the mean by 0.1 % at most.
+constexpr double uniformVoidFraction = 0.02;
+
 double sphereVolume(double diameter)
 {
     return constant::mathematical::pi/6*diameter*diameter*diameter;
@@ -93,16 +97,56 @@ void PowderOnMesh::depositVolume()
     voidFraction_.correctBoundaryConditions();
 }
 
-double PowderOnMesh::parcelDrag(int parcel, double voidFraction, const vector& gasVelocity,
-    double density, double viscosity) const
+// `air`: velocity and void fraction.
+double PowderOnMesh::parcelDrag(const ParcelRecord& parcel, const Packed<4>& air, double density,
+    double viscosity) const
 {
     LocalFlow flow;
-    flow.slip = mag(gasVelocity - toFoam(parcels_[parcel].velocity));
-    flow.voidFraction = max(voidFraction, settings_.minimumDragVoidFraction);
+    flow.slip = mag(vector(air[0], air[1], air[2]) - toFoam(parcel.velocity));
+    flow.voidFraction = max(air[3], settings_.minimumDragVoidFraction);
     flow.density = density;
     flow.viscosity = viscosity;
-    flow.diameter = parcels_[parcel].diameter;
+    flow.diameter = parcel.diameter;
     return grains_.parcelDragCoefficient(*law_, flow);
+}
+
+// Drag coefficient b of a parcel, and of its shares. Returns the mean void fraction around it.
+double PowderOnMesh::dragOfShares(int parcel, const List<Packed<4>>& air, double density,
+    double viscosity)
+{
+    const ParticleWeights& weights = transfer_.weights();
+    const int begin = weights.offsets[parcel];
+    const int end = weights.offsets[parcel + 1];
+
+    Packed<4> mean(Zero);
+    double least = 1;
+    double most = 0;
+    for (int w = begin; w < end; ++w)
+    {
+        const Packed<4>& cell = air[weights.cells[w]];
+        for (unsigned n = 0; n < 4; ++n)
+        {
+            mean[n] += weights.shares[w]*cell[n];
+        }
+        least = min(least, cell[3]);
+        most = max(most, cell[3]);
+    }
+
+    // Inside a bed one evaluation is as good as eight.
+    const bool uniform = most - least < uniformVoidFraction;
+    const double meanDrag =
+        uniform ? parcelDrag(parcels_[parcel], mean, density, viscosity) : 0;
+    double sum = 0;
+    for (int w = begin; w < end; ++w)
+    {
+        const double b = uniform
+            ? meanDrag
+            : parcelDrag(parcels_[parcel], air[weights.cells[w]], density, viscosity);
+        dragShares_[w] = weights.shares[w]*b;
+        sum += dragShares_[w];
+    }
+    coefficients_[parcel] = sum;
+    return mean[3];
 }
 
 void PowderOnMesh::depositDrag(const volVectorField& U, double density, const volScalarField& nu,
@@ -112,39 +156,33 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
     forAll(air, celli)
     {
         const vector& u = U[celli];
-        air[celli][0] = u.x();
-        air[celli][1] = u.y();
-        air[celli][2] = u.z();
-        air[celli][3] = voidFraction_[celli];
+        air[celli] = {u.x(), u.y(), u.z(), voidFraction_[celli]};
     }
-    const std::vector<Packed<4>> around = transfer_.interpolate(std::move(air));
+    halo_.toGhosts(air);
 
     coefficients_.resize(parcels_.size());
     effective_.resize(parcels_.size());
+    dragShares_.resize(transfer_.weights().shares.size());
     double shortest = GREAT;
     for (std::size_t i = 0; i < parcels_.size(); ++i)
     {
-        const Packed<4>& a = around[i];
-        const double b = parcelDrag(static_cast<int>(i), a[3], vector(a[0], a[1], a[2]), density,
-            density*nu[cells_[i]]);
-        coefficients_[i] = b;
-        effective_[i] = ImplicitDrag(b, parcels_[i].mass, interval).effectiveCoefficient();
-        shortest = min(shortest, a[3]*a[3]*parcels_[i].mass/b);
+        const double mass = parcels_[i].mass;
+        const double alpha =
+            dragOfShares(static_cast<int>(i), air, density, density*nu[cells_[i]]);
+        effective_[i] = meanSlip(coefficients_[i]*interval/mass);
+        shortest = min(shortest, alpha*alpha*mass/coefficients_[i]);
     }
     report_.shortestResponse = returnReduce(shortest, minOp<double>());
 
-    const List<Packed<7>> densities = transfer_.deposit<7>(
-        [&](int i)
+    const std::vector<double>& shares = transfer_.weights().shares;
+    const List<Packed<7>> densities = transfer_.depositShares<7>(
+        [&](int i, int w)
         {
             const ParcelRecord& p = parcels_[i];
-            Packed<7> q;
-            q[0] = effective_[i];
-            for (int d = 0; d < 3; ++d)
-            {
-                q[1 + d] = effective_[i]*p.velocity[d];
-                q[4 + d] = -p.carry[d]/interval;
-            }
-            return q;
+            const double b = effective_[i]*dragShares_[w];
+            const double carried = -shares[w]/interval;
+            return Packed<7>{b, b*p.velocity[0], b*p.velocity[1], b*p.velocity[2],
+                carried*p.carry[0], carried*p.carry[1], carried*p.carry[2]};
         });
     forAll(densities, celli)
     {
@@ -164,25 +202,33 @@ std::vector<GasRecord> PowderOnMesh::gasAtParcels(const volVectorField& U,
     List<Packed<6>> air(mesh_.nCells());
     forAll(air, celli)
     {
-        for (direction d = 0; d < 3; ++d)
-        {
-            air[celli][d] = U[celli][d];
-            air[celli][3 + d] = pressureGradient[celli][d];
-        }
+        const vector& u = U[celli];
+        const vector& g = pressureGradient[celli];
+        air[celli] = {u.x(), u.y(), u.z(), g.x(), g.y(), g.z()};
     }
-    const std::vector<Packed<6>> around = transfer_.sample(std::move(air));
+    transfer_.smoothed(air);
 
+    const ParticleWeights& weights = transfer_.weights();
     std::vector<GasRecord> gas(parcels_.size());
     for (std::size_t i = 0; i < gas.size(); ++i)
     {
+        vector drag(Zero); // sum of b u over the shares
+        vector gradient(Zero);
+        for (int w = weights.offsets[i]; w < weights.offsets[i + 1]; ++w)
+        {
+            const Packed<6>& cell = air[weights.cells[w]];
+            drag += dragShares_[w]*vector(cell[0], cell[1], cell[2]);
+            gradient += weights.shares[w]*vector(cell[3], cell[4], cell[5]);
+        }
         const ParcelRecord& p = parcels_[i];
+        const double b = coefficients_[i];
         const double volume = sphereVolume(p.diameter);
-        gas[i].dragCoefficient = coefficients_[i];
+        gas[i].dragCoefficient = b;
         for (int d = 0; d < 3; ++d)
         {
-            gas[i].velocity[d] = around[i][d];
-            gas[i].force[d] = -volume*around[i][3 + d];
-            gas[i].given[d] = effective_[i]*interval*(around[i][d] - p.velocity[d]);
+            gas[i].velocity[d] = drag[d]/b;
+            gas[i].force[d] = -volume*gradient[d];
+            gas[i].given[d] = effective_[i]*interval*(drag[d] - b*p.velocity[d]);
         }
     }
     return gas;

@@ -76,7 +76,9 @@ public:
     void depositVolume();
 
     /// Drag coefficients in the air as it is now (velocity `U`, density [kg/m3], kinematic
-    /// viscosity `nu`), effective over an interval [s]; and the carry.
+    /// viscosity `nu`), effective over an interval [s]; and the carry. Each share of a parcel
+    /// meets the air of its own cell: the law is far from linear in the void fraction, and
+    /// averaging that first would lose drag wherever a bed has a surface.
     void depositDrag(const Foam::volVectorField& U, double density, const Foam::volScalarField& nu,
         double interval);
 
@@ -93,8 +95,10 @@ public:
     const Report& report() const { return report_; }
 
 private:
-    double parcelDrag(int parcel, double voidFraction, const Foam::vector& gasVelocity,
-        double density, double viscosity) const;
+    double parcelDrag(const ParcelRecord& parcel, const Packed<4>& air, double density,
+        double viscosity) const;
+    double dragOfShares(int parcel, const Foam::List<Packed<4>>& air, double density,
+        double viscosity);
 
     const Foam::fvMesh& mesh_;
     Settings settings_;
@@ -111,7 +115,8 @@ private:
     std::vector<ParcelRecord> parcels_;
     std::vector<int> cells_;
     std::vector<double> coefficients_; // b of each parcel [kg/s]
-    std::vector<double> effective_; // b over the interval [kg/s]
+    std::vector<double> effective_; // what the interval makes of it: b_eff/b of each parcel
+    std::vector<double> dragShares_; // of b in each of the parcel's cells [kg/s]
 
     Foam::volScalarField voidFraction_;
     Foam::volScalarField drag_;

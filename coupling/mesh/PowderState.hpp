@@ -11,16 +11,19 @@
 namespace interstice
 {
 
-/// The powder as function objects see it, registered with the mesh as "powder".
+/// The powder as function objects see it, registered with the mesh as "powderState".
 ///
 /// Particles owned by this rank, in place; void when the next time step begins. Parcels where the
 /// powder is coarse grained. The sums at the end are over all ranks.
 class PowderState : public Foam::regIOobject
 {
 public:
+    /// Not "powder": that is the cloud of particles on the disk.
+    static constexpr const char* registryName = "powderState";
+
     explicit PowderState(const Foam::objectRegistry& registry)
     :
-        Foam::regIOobject(Foam::IOobject("powder", registry.time().timeName(), registry,
+        Foam::regIOobject(Foam::IOobject(registryName, registry.time().timeName(), registry,
             Foam::IOobject::NO_READ, Foam::IOobject::NO_WRITE))
     {}
 
@@ -28,7 +31,7 @@ public:
 
     static const PowderState& of(const Foam::objectRegistry& registry)
     {
-        return registry.lookupObject<PowderState>("powder");
+        return registry.lookupObject<PowderState>(registryName);
     }
 
     // Own particles, [i] for i < count
