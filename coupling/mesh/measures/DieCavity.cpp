@@ -39,6 +39,13 @@ double shareBelow(double height, double radius)
     return 0.25*(1 + s)*(1 + s)*(2 - s);
 }
 
+Extent extentAlong(const boundBox& box, const vector& direction)
+{
+    const double centre = box.midpoint() & direction;
+    const double half = 0.5*(box.span() & cmptMag(direction));
+    return {centre - half, centre + half};
+}
+
 DieCavity::DieCavity(const dictionary& dict, const Time& time)
 {
     const Parameters p(dict);

@@ -22,6 +22,16 @@ namespace interstice
 /// A cap of height h = radius + height: V/V_sphere = h^2 (3 r - h)/(4 r^3).
 double shareBelow(double height, double radius);
 
+/// From where to where something reaches [m].
+struct Extent
+{
+    double low;
+    double high;
+};
+
+/// The extent of a box along a direction of unit length.
+Extent extentAlong(const Foam::boundBox& box, const Foam::vector& direction);
+
 /// The room of a die that powder fills; its mouth is the plane z = top(), z points up.
 ///
 /// A particle is in the die if its centre is within walls and floor, but the mouth cuts it

@@ -56,17 +56,6 @@ std::string percent(double ratio)
     return text;
 }
 
-/// Ends of a box along a direction.
-MinMax<scalar> extent(const boundBox& box, const vector& direction)
-{
-    MinMax<scalar> ends;
-    for (const point& corner : *box.points())
-    {
-        ends.add(corner & direction);
-    }
-    return ends;
-}
-
 } // namespace
 
 FillingRatio::FillingRatio(const word& name, const Time& time, const dictionary& dict)
@@ -109,9 +98,9 @@ void FillingRatio::readShoe(const dictionary& dict)
             "Correct front, rear or direction."});
     }
     const vector unit = along/mag(along);
-    const MinMax<scalar> die = extent(die_->bounds(), unit);
+    const Extent die = extentAlong(die_->bounds(), unit);
     shoe_ = std::make_unique<Shoe>(
-        Shoe{wall, unit, die.max() - front, die.min() - rear, p.where("wall")});
+        Shoe{wall, unit, die.high - front, die.low - rear, p.where("wall")});
 }
 
 std::vector<double> FillingRatio::measure(const PowderState& powder)

@@ -3,6 +3,8 @@
 
 #include "coupling/laws/InputError.hpp"
 
+#include "fvMesh.H"
+
 namespace interstice
 {
 
@@ -77,7 +79,7 @@ vector PowderMeasure::travel(
 
 void PowderMeasure::head(Ostream& os, const std::vector<std::string>& columns) const
 {
-    os << "# time [s]";
+    os << setw(0) << "# time [s]";
     for (const std::string& column : columns)
     {
         os << tab << column.c_str();
