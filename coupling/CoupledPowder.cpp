@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/CoupledPowder.hpp"
 
+#include "coupling/RunFailure.hpp"
 #include "coupling/ScriptFiles.hpp"
 #include "coupling/TimeStepChoice.hpp"
 #include "coupling/dem/DemEngine.hpp"
@@ -13,6 +14,8 @@
 #include "mathematicalConstants.H"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace interstice
 {
@@ -128,6 +131,7 @@ void CoupledPowder::openDem(const dictionary& dict)
         options.variables =
             numbersIn(mesh_.time().globalPath()/p.text("parameters"), p.where("parameters"));
     }
+    const bool wantsWalls = p.flag("walls", true);
     p.allKnown();
     options.variables["case"] = mesh_.time().globalPath();
     options.variables["scripts"] = script.path();
@@ -136,6 +140,13 @@ void CoupledPowder::openDem(const dictionary& dict)
     dem_ = std::make_unique<DemEngine>(MPI_COMM_WORLD, options);
     dem_->runScript(script);
     dem_->couple();
+    if (wantsWalls && !dem_->hasWalls())
+    {
+        throw InputError({"Powder needs walls to rest on.", "no fix wall/gran in " + script,
+            "a wall, or walls off", p.where("walls"),
+            "Add fix ... wall/gran to the script, or set walls off if nothing shall hold the "
+            "powder."});
+    }
 }
 
 void CoupledPowder::readSolids(const dictionary& dict)
@@ -300,8 +311,29 @@ void CoupledPowder::fall()
     refreshState();
 }
 
+// Throws RunFailure on all ranks if a particle's position or velocity is no number.
+void CoupledPowder::checkParticles() const
+{
+    const ParticleView view = dem_->particles();
+    std::ostringstream found;
+    for (int i = 0; i < view.count && found.tellp() == 0; ++i)
+    {
+        const double* x = view.position[i];
+        const double* v = view.velocity[i];
+        if (!std::isfinite(x[0] + x[1] + x[2] + v[0] + v[1] + v[2]))
+        {
+            found << "particle " << view.id[i] << " on rank " << Pstream::myProcNo() << " at ("
+                  << x[0] << ' ' << x[1] << ' ' << x[2] << ") m, velocity (" << v[0] << ' ' << v[1]
+                  << ' ' << v[2] << ") m/s";
+        }
+    }
+    RunFailure::throwOnAllRanks(!found.str().empty(),
+        "A particle has a value that is no number.", found.str(), MPI_COMM_WORLD);
+}
+
 void CoupledPowder::refreshState()
 {
+    checkParticles();
     const ParticleView view = dem_->particles();
     state_.count = view.count;
     state_.position = view.position;

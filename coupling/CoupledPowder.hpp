@@ -73,6 +73,7 @@ private:
     void moveSolids(double interval);
     void placeParcels(double interval);
     void advanceDem();
+    void checkParticles() const;
     void refreshState();
 
     Foam::fvMesh& mesh_;

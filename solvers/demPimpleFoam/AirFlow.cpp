@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AirFlow.hpp"
 
-#include "coupling/laws/InputError.hpp"
-
 #include "findRefCell.H"
 #include "fvc.H"
 #include "zeroGradientFvPatchFields.H"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace interstice
 {
@@ -33,6 +35,15 @@ surfaceScalarField givenFluxes(const volVectorField& U)
     return given;
 }
 
+// The loop without its line an iteration: the log has one line a step.
+bool quietLoop(pimpleControl& pimple)
+{
+    const int level = std::exchange(messageStream::level, 0);
+    const bool again = pimple.loop();
+    messageStream::level = level;
+    return again;
+}
+
 void requireEuler(const fvMesh& mesh)
 {
     const word scheme(mesh.ddtScheme("ddt(U)"));
@@ -49,7 +60,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
 :
     mesh_(mesh),
     clock_(clock),
-    pimple_(mesh),
+    pimple_(mesh, "PIMPLE", false),
     U_(field("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
     p_(field("p", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
     alpha_(field("voidFraction", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE), mesh,
@@ -82,6 +93,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     mesh.setFluxRequired(p_.name());
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     U_.oldTime();
+    p_.oldTime();
     alpha_.oldTime();
     ddtAlpha_.oldTime();
     alphaPhi_.oldTime();
@@ -116,7 +128,7 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
 void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
 {
     begin(powder, solids);
-    while (pimple_.loop())
+    while (quietLoop(pimple_))
     {
         fvVectorMatrix UEqn(inertia());
         predictVelocity(UEqn);
@@ -131,7 +143,44 @@ void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
             turbulence_->correct();
         }
     }
+    const std::string bad = badCell();
+    if (returnReduce(!bad.empty(), orOp<bool>()))
+    {
+        stepBack();
+    }
+    RunFailure::throwOnAllRanks(
+        !bad.empty(), "The air has a value that is no number.", bad, MPI_COMM_WORLD);
     finish();
+}
+
+// Which cell of this rank has a value that is no number; empty if none has.
+std::string AirFlow::badCell() const
+{
+    std::ostringstream found;
+    forAll(U_, celli)
+    {
+        const vector& u = U_[celli];
+        if (!std::isfinite(mag(u) + mag(p_[celli])))
+        {
+            const vector& x = mesh_.C()[celli];
+            found << "cell " << celli << " of rank " << Pstream::myProcNo() << " at (" << x.x() << ' '
+                  << x.y() << ' ' << x.z() << ") m: U = (" << u.x() << ' ' << u.y() << ' ' << u.z()
+                  << ") m/s, p = " << p_[celli] << " m2/s2, void fraction " << alpha_[celli];
+            break;
+        }
+    }
+    return found.str();
+}
+
+void AirFlow::stepBack()
+{
+    U_ == U_.oldTime();
+    p_ == p_.oldTime();
+    alpha_ == alpha_.oldTime();
+    ddtAlpha_ == ddtAlpha_.oldTime();
+    alphaPhi_ == alphaPhi_.oldTime();
+    Time& time = const_cast<Time&>(mesh_.time());
+    time.setTime(time.value() - time.deltaTValue(), time.timeIndex() - 1);
 }
 
 void AirFlow::finish()

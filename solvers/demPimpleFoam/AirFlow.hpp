@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/mesh/PowderOnMesh.hpp"
-#include "coupling/mesh/SolidsOnMesh.hpp"
-#include "coupling/report/StageClock.hpp"
+#include "coupling/Interstice.hpp"
 
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "fvMatrices.H"
@@ -44,6 +42,8 @@ public:
     void start(const PowderOnMesh& powder);
 
     /// Collective. Moves the air over the time step, with the powder as it lies on the mesh.
+    /// Throws RunFailure, on all ranks, if U or p is no number in some cell, which it names; fields
+    /// and clock are then those of the step before.
     void solve(const PowderOnMesh& powder, const SolidsOnMesh& solids);
 
     /// Of the last step, [Pa/m]: what the particles feel.
@@ -61,6 +61,8 @@ private:
     void correctPressure(const Foam::fvVectorMatrix& UEqn);
     Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
     void finish();
+    std::string badCell() const;
+    void stepBack();
 
     Foam::fvMesh& mesh_;
     StageClock& clock_;

@@ -103,6 +103,13 @@ void RunLog::write()
     time_.write();
 }
 
+void RunLog::lastGood()
+{
+    time_.writeNow();
+    Info<< "The state at " << time_.value() << " s was written before stopping." << endl;
+    table();
+}
+
 void RunLog::end()
 {
     table();

@@ -3,8 +3,6 @@
 
 #include "AirFlow.hpp"
 
-#include "coupling/CoupledPowder.hpp"
-
 namespace interstice
 {
 
@@ -20,6 +18,9 @@ public:
 
     /// Writes fields and particles if the clock says so. Collective.
     void write();
+
+    /// Writes what is left of a run that failed. Collective.
+    void lastGood();
 
     /// The last table.
     void end();

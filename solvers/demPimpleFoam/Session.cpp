@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Session.hpp"
 
-#include "coupling/laws/InputError.hpp"
+#include "coupling/Interstice.hpp"
+
+#include "sigFpe.H"
+#include "solverPerformance.H"
 
 #include <mpi.h>
 
@@ -45,11 +48,32 @@ namespace
 
 int Session::guard(Run run, int argc, char* argv[])
 {
+    // OpenFOAM's argList ends the process when it is destroyed: never while an error is on its way.
+    auto* args = new argList(argc, argv);
+    // A value that is no number is found by our own checks, which name the cell or the particle.
+    sigFpe::unset();
+    // One line a step, not one a linear solve; DebugSwitches in controlDict can bring them back.
+    solverPerformance::debug = 0;
+    if (!args->checkRootCase())
+    {
+        FatalError.exit();
+    }
+    int started = 0;
+    MPI_Initialized(&started);
+    const bool ownsMpi = !started;
+    if (ownsMpi)
+    {
+        MPI_Init(nullptr, nullptr);
+    }
     try
     {
-        return run(argc, argv);
+        run(*args);
     }
     catch (const InputError& error)
+    {
+        stop(error.what());
+    }
+    catch (const RunFailure& error)
     {
         stop(error.what());
     }
@@ -57,23 +81,16 @@ int Session::guard(Run run, int argc, char* argv[])
     {
         stop(std::string("this should not have happened: ") + error.what());
     }
+    if (ownsMpi)
+    {
+        MPI_Finalize();
+    }
+    delete args;
+    return 0;
 }
 
-Session::Session(int argc, char* argv[])
-:
-    args_(std::make_unique<argList>(argc, argv))
+Session::Session(argList& args)
 {
-    if (!args_->checkRootCase())
-    {
-        FatalError.exit();
-    }
-    int started = 0;
-    MPI_Initialized(&started);
-    if (!started)
-    {
-        MPI_Init(nullptr, nullptr);
-        ownsMpi_ = true;
-    }
     int ranks = 1;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     if (ranks > 1 && !Pstream::parRun())
@@ -82,19 +99,9 @@ Session::Session(int argc, char* argv[])
             std::to_string(ranks) + " ranks, no -parallel", "demPimpleFoam -parallel",
             "command line", "Run decomposePar, then mpirun -np N demPimpleFoam -parallel."});
     }
-    time_ = std::make_unique<Time>(Time::controlDictName, *args_);
+    time_ = std::make_unique<Time>(Time::controlDictName, args);
     mesh_ = std::make_unique<fvMesh>(
         IOobject(fvMesh::defaultRegion, time_->timeName(), *time_, IOobject::MUST_READ));
-}
-
-Session::~Session()
-{
-    mesh_.reset();
-    time_.reset();
-    if (ownsMpi_)
-    {
-        MPI_Finalize();
-    }
 }
 
 } // namespace interstice

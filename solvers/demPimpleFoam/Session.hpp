@@ -13,22 +13,20 @@ namespace interstice
 class Session
 {
 public:
-    using Run = int (*)(int argc, char* argv[]);
+    using Run = void (*)(Foam::argList& args);
 
     /// Calls run and turns errors into messages and exit codes: an InputError is printed once, on
-    /// the first rank that has it, and ends all ranks with code 1.
+    /// the first rank that has it, and ends all ranks with code 1. Starts MPI, which OpenFOAM does
+    /// for parallel runs only and LIGGGHTS always needs.
     static int guard(Run run, int argc, char* argv[]);
 
-    /// Reads the command line, system/controlDict and the mesh.
-    Session(int argc, char* argv[]);
-    ~Session();
+    /// Reads system/controlDict and the mesh.
+    explicit Session(Foam::argList& args);
 
     Foam::Time& time() { return *time_; }
     Foam::fvMesh& mesh() { return *mesh_; }
 
 private:
-    std::unique_ptr<Foam::argList> args_;
-    bool ownsMpi_ = false; // OpenFOAM starts MPI only for a parallel run
     std::unique_ptr<Foam::Time> time_;
     std::unique_ptr<Foam::fvMesh> mesh_;
 };

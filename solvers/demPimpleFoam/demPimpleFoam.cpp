@@ -12,13 +12,11 @@
 #include "RunLog.hpp"
 #include "Session.hpp"
 
-#include "coupling/CoupledPowder.hpp"
-
 using namespace Foam;
 
-static int run(int argc, char* argv[])
+static void run(argList& args)
 {
-    interstice::Session session(argc, argv);
+    interstice::Session session(args);
     Time& runTime = session.time();
     fvMesh& mesh = session.mesh();
 
@@ -28,27 +26,34 @@ static int run(int argc, char* argv[])
     air.start(powder.onMesh());
     interstice::RunLog log(runTime, powder, clock);
 
-    while (runTime.run())
+    try
     {
-        powder.chooseTimeStep(air.courant());
-        ++runTime;
-
-        if (powder.hasAir())
+        while (runTime.run())
         {
-            powder.toAir(air.U(), air.nu());
-            air.solve(powder.onMesh(), powder.solids());
-            powder.fromAir(air.U(), air.pressureGradient());
-        }
-        else
-        {
-            powder.fall();
-        }
+            powder.chooseTimeStep(air.courant());
+            ++runTime;
 
-        log.step(air.report());
-        log.write();
+            if (powder.hasAir())
+            {
+                powder.toAir(air.U(), air.nu());
+                air.solve(powder.onMesh(), powder.solids());
+                powder.fromAir(air.U(), air.pressureGradient());
+            }
+            else
+            {
+                powder.fall();
+            }
+
+            log.step(air.report());
+            log.write();
+        }
+    }
+    catch (const interstice::RunFailure&)
+    {
+        log.lastGood();
+        throw;
     }
     log.end();
-    return 0;
 }
 
 int main(int argc, char* argv[])

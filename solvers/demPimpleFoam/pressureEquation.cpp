@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AirFlow.hpp"
 
-#include "coupling/mesh/BedFaces.hpp"
-
 #include "fvc.H"
 #include "fvm.H"
 
