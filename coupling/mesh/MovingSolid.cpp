@@ -97,7 +97,7 @@ void MovingSolid::tabulate(const fileName& path, const std::string& where)
     if (thinnest(surface) < 1.99*finest)
     {
         throw InputError({"A solid must be at least two cells thick, or air leaks through it.",
-            metres(thinnest(surface)) + " thick", "at least " + metres(2*finest), where,
+            metres(thinnest(surface)) + " thick in " + path, "at least " + metres(2*finest), where,
             "Thicken it outwards, where there is only air, or refine the mesh."});
     }
 

@@ -15,6 +15,11 @@ namespace
 // Excess walks one cell a round; more rounds than this mean that the room is used up.
 constexpr int mostRounds = 200;
 
+// How much less a cell attracts excess than the room next to it, and so on from cell to cell: full
+// cells pass it on towards the nearest room. Without a direction it would stroll about, and a
+// cluster n cells thick would take n^2 rounds.
+constexpr double attractionPerCell = 0.01;
+
 } // namespace
 
 VoidFractionFloor::VoidFractionFloor(const fvMesh& mesh, const CellHalo& halo, double minimum)
@@ -48,41 +53,50 @@ VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids) const
     reduce(total, sumOp<double>());
 
     double left = total;
+    scalarField attraction(solids.size(), Zero);
     for (int round = 0; round < mostRounds && left > 1e-14*total; ++round)
     {
-        left = spread(solids, excess);
+        left = spread(solids, excess, attraction);
     }
     report.clipped = left > 1e-14*total ? left : 0;
     report.moved = total - report.clipped;
     return report;
 }
 
-// One round: each cell's excess goes to its face neighbours in proportion to their room (walks on
-// unchanged in equal shares where none has any); they keep what fits. Returns what is left.
-double VoidFractionFloor::spread(scalarField& solids, scalarField& excess) const
+// One round: each cell's excess goes to its face neighbours in proportion to their attraction; they
+// keep what fits. Returns what is left.
+double VoidFractionFloor::spread(scalarField& solids, scalarField& excess,
+    scalarField& attraction) const
 {
     const double most = 1 - minimum_;
     const label own = halo_.nCells();
-    constexpr double someRoom = 1e-9; // lets excess walk through full cells
 
-    List<Packed<2>> outgoing(own, Packed<2>(Zero)); // room, share of excess per room
-    scalarField room(own, Zero);
-    forAll(room, celli)
+    List<Packed<2>> outgoing(own, Packed<2>(Zero)); // attraction, share of excess per attraction
+    scalarField strongest(own, Zero); // of the neighbours
+    scalarField around(own, Zero); // sum of the neighbours
+    forAll(attraction, celli)
     {
-        outgoing[celli][0] = ((most - solids[celli]) + someRoom)*volumes_[celli];
+        const double room = (most - solids[celli])*volumes_[celli];
+        outgoing[celli][0] = max(room, attraction[celli]);
     }
     halo_.toGhosts(outgoing);
+    const auto attract = [&](label cell, label other)
+    {
+        strongest[cell] = max(strongest[cell], outgoing[other][0]);
+        around[cell] += outgoing[other][0];
+    };
     for (const CellHalo::Link& link : halo_.links())
     {
-        room[link.cell] += outgoing[link.other][0];
+        attract(link.cell, link.other);
         if (link.internal)
         {
-            room[link.other] += outgoing[link.cell][0];
+            attract(link.other, link.cell);
         }
     }
+    attraction = attractionPerCell*strongest;
     for (label celli = 0; celli < own; ++celli)
     {
-        outgoing[celli][1] = room[celli] > 0 ? excess[celli]/room[celli] : 0;
+        outgoing[celli][1] = around[celli] > VSMALL ? excess[celli]/around[celli] : 0;
     }
     outgoing.setSize(own);
     halo_.toGhosts(outgoing);
@@ -99,7 +113,7 @@ double VoidFractionFloor::spread(scalarField& solids, scalarField& excess) const
     double left = 0;
     for (label celli = 0; celli < own; ++celli)
     {
-        const double kept = room[celli] > 0 ? 0 : excess[celli];
+        const double kept = around[celli] > VSMALL ? 0 : excess[celli];
         const double volume = solids[celli]*volumes_[celli] + arriving[celli] + kept;
         solids[celli] = min(volume/volumes_[celli], most);
         excess[celli] = max(volume - most*volumes_[celli], scalar(0));

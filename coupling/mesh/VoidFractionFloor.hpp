@@ -28,7 +28,8 @@ public:
     double minimum() const { return minimum_; }
 
 private:
-    double spread(Foam::scalarField& solids, Foam::scalarField& excess) const;
+    double spread(Foam::scalarField& solids, Foam::scalarField& excess,
+        Foam::scalarField& attraction) const;
 
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/laws/InputError.hpp"
+#include "tests/unit/mesh/Lattice.hpp"
+#include "tests/unit/mesh/OneRankReference.hpp"
+#include "tests/unit/mesh/PowderScene.hpp"
+
+#include "mathematicalConstants.H"
+
+#include <cstring>
+#include <numeric>
+
+namespace interstice
+{
+namespace
+{
+
+using Foam::label;
+using Foam::point;
+using Foam::scalar;
+using Foam::scalarField;
+using Foam::vector;
+
+class DepositTest : public MeshTest
+{
+protected:
+    static bool isUniform()
+    {
+        return Foam::gMax(mesh().V().field()) < 1.01*Foam::gMin(mesh().V().field());
+    }
+
+    static bool isPeriodic() { return ground().box.period().x() > 0; }
+
+    /// Collective.
+    static double cellSize() { return std::cbrt(Foam::gAverage(mesh().V().field())); }
+
+    /// The places of all ranks, in the order of the ranks.
+    static std::vector<point> ofAllRanks(const std::vector<point>& mine)
+    {
+        const int numbers = 3*int(mine.size());
+        std::vector<int> counts(Foam::Pstream::nProcs());
+        MPI_Allgather(&numbers, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+        std::vector<int> offsets(counts.size() + 1, 0);
+        std::partial_sum(counts.begin(), counts.end(), offsets.begin() + 1);
+        std::vector<point> all(offsets.back()/3);
+        MPI_Allgatherv(mine.data(), numbers, MPI_DOUBLE, all.data(), counts.data(),
+            offsets.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+        return all;
+    }
+
+    /// At an end of the mesh that is not periodic.
+    static bool isOnWall(const point& p)
+    {
+        const Foam::boundBox& box = mesh().bounds();
+        for (int d = 0; d < 3; ++d)
+        {
+            const double toEnd = std::min(p[d] - box.min()[d], box.max()[d] - p[d]);
+            if (ground().box.period()[d] == 0 && toEnd < 1e-6)
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Some faces between two cells of this rank, of two ranks, and of a cyclic pair; with the
+    /// middle of a face its edge and its corner.
+    static std::vector<point> crossings()
+    {
+        std::vector<point> mine;
+        const auto add = [&](label face)
+        {
+            const Foam::face& corners = mesh().faces()[face];
+            const point& a = mesh().points()[corners[0]];
+            const point& b = mesh().points()[corners[1]];
+            for (const point& p : {mesh().faceCentres()[face], 0.5*(a + b), a})
+            {
+                if (!isOnWall(p))
+                {
+                    mine.push_back(p);
+                }
+            }
+        };
+        for (const double part : {0.3, 0.51})
+        {
+            add(label(part*mesh().nInternalFaces()));
+        }
+        for (const Foam::polyPatch& patch : mesh().boundaryMesh())
+        {
+            if (patch.coupled() && patch.size() > 0)
+            {
+                add(patch.start() + label(0.37*patch.size())); // not beside a wall
+            }
+        }
+        return ofAllRanks(mine);
+    }
+
+    /// A particle that moves a little.
+    struct Move
+    {
+        point from;
+        point to;
+    };
+
+    /// The largest change of a cell's share in each of many particles, by its move.
+    static std::vector<double> changes(const Foam::word& kernel, const std::vector<Move>& moves)
+    {
+        std::vector<point> places;
+        for (const Move& move : moves)
+        {
+            places.push_back(move.from);
+            places.push_back(move.to);
+        }
+        PowderScene scene(ground(), kernel);
+        scene.place(places);
+
+        // Thirty-two places at once, each as a quantity of its own.
+        constexpr int batch = 32;
+        std::vector<double> largest(moves.size(), 0);
+        for (int first = 0; first < int(places.size()); first += batch)
+        {
+            const auto shares = scene.transfer().deposit<batch>(
+                [&](int i)
+                {
+                    Packed<batch> q(Foam::Zero);
+                    const int n = scene.handled().ids[i] - first;
+                    if (n >= 0 && n < batch)
+                    {
+                        q[n] = 1;
+                    }
+                    return q;
+                });
+            forAll(shares, cell)
+            {
+                for (int n = 0; n < std::min(batch, int(places.size()) - first); n += 2)
+                {
+                    double& most = largest[(first + n)/2];
+                    most = std::max(most, mesh().V()[cell]
+                            *std::abs(shares[cell][n + 1] - shares[cell][n]));
+                }
+            }
+        }
+        MPI_Allreduce(MPI_IN_PLACE, largest.data(), int(largest.size()), MPI_DOUBLE, MPI_MAX,
+            MPI_COMM_WORLD);
+        return largest;
+    }
+
+    /// Across a face, an edge or a corner, also of ranks and cyclics; half of it in cell sizes.
+    static std::vector<Move> movesAcross(double distance)
+    {
+        const vector oblique = distance*cellSize()*vector(0.6, -0.64, 0.48);
+        std::vector<Move> moves;
+        for (const point& p : crossings())
+        {
+            moves.push_back({p - oblique, p + oblique});
+        }
+        return moves;
+    }
+};
+
+TEST_F(DepositTest, KeepsTheVolumeOfACloudOfAnyGrainSize)
+{
+    const double dx = cellSize();
+    const std::vector<point> cloud = cloudInside(ground(), 2000, 3);
+    ASSERT_GT(cloud.size(), 200u);
+    for (const double grainPerCell : {0.1, 1.0, 2.0, 4.0})
+    {
+        const auto volume = [&](int i)
+        {
+            const double d = grainPerCell*dx*(1 + 0.3*std::sin(i));
+            return Foam::constant::mathematical::pi/6*d*d*d;
+        };
+        double expected = 0;
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+        {
+            expected += volume(int(i));
+        }
+        for (const char* kernel : {"kernel", "centre"})
+        {
+            PowderScene scene(ground(), kernel);
+            scene.place(cloud);
+            const scalarField solids = scene.deposit(volume);
+            EXPECT_NEAR(Foam::gSum((solids*mesh().V().field())()), expected, 1e-12*expected)
+                << kernel << ", d/dx = " << grainPerCell;
+        }
+    }
+}
+
+// On faces, edges, corners, boundaries of ranks, and on walls.
+TEST_F(DepositTest, KeepsTheVolumeOfParticlesOnFacesAndWalls)
+{
+    std::vector<point> walls;
+    for (const Foam::polyPatch& patch : mesh().boundaryMesh())
+    {
+        if (patch.name() == "walls" && patch.size() > 0)
+        {
+            walls.push_back(patch.faceCentres()[patch.size()/2]);
+            walls.push_back(mesh().points()[patch[0][0]]);
+        }
+    }
+    std::vector<point> places = ofAllRanks(walls);
+    for (const point& p : crossings())
+    {
+        places.push_back(p);
+    }
+    PowderScene scene(ground(), "kernel");
+    scene.place(places);
+
+    const scalarField density = scene.deposit([](int) { return 1.0; });
+
+    EXPECT_NEAR(Foam::gSum((density*mesh().V().field())()), double(places.size()),
+        1e-12*places.size());
+}
+
+TEST_F(DepositTest, EqualsTheTrilinearFormulaOnAUniformBoxOnAnyRanks)
+{
+    if (!isUniform())
+    {
+        GTEST_SKIP();
+    }
+    const Lattice lattice(isPeriodic());
+    const std::vector<point> cloud = cloudInside(ground(), 3000, 5);
+    std::vector<double> expected(Lattice::count(), 0);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        lattice.addTrilinear(expected, cloud[i], 1 + 0.1*(i % 7));
+    }
+    PowderScene scene(ground(), "kernel");
+    scene.place(cloud);
+
+    const scalarField density = scene.deposit([](int i) { return 1 + 0.1*(i % 7); });
+
+    forAll(density, cell)
+    {
+        ASSERT_NEAR(density[cell]*Lattice::volume, expected[Lattice::indexAt(mesh().C()[cell])],
+            1e-12*3);
+    }
+}
+
+// 0.3, 0.6 and 0.1 of a cell beyond the centre of cell (10, 9, 8).
+TEST_F(DepositTest, HasTheWeightsOfAHandCalculation)
+{
+    if (!isUniform())
+    {
+        GTEST_SKIP();
+    }
+    PowderScene scene(ground(), "kernel");
+    scene.place({point(10.8*0.5e-3, 10.1*0.4e-3, 8.6*0.5e-3)});
+    const scalarField share = scene.deposit([](int) { return Lattice::volume; });
+
+    const auto at = [&](int i, int j, int k)
+    {
+        double found = 0;
+        forAll(share, cell)
+        {
+            found += Lattice::indexAt(mesh().C()[cell]) == Lattice::index(i, j, k) ? share[cell] : 0;
+        }
+        return Foam::returnReduce(found, Foam::sumOp<scalar>());
+    };
+    EXPECT_NEAR(at(10, 9, 8), 0.7*0.4*0.9, 1e-12);
+    EXPECT_NEAR(at(11, 9, 8), 0.3*0.4*0.9, 1e-12);
+    EXPECT_NEAR(at(10, 10, 8), 0.7*0.6*0.9, 1e-12);
+    EXPECT_NEAR(at(11, 10, 9), 0.3*0.6*0.1, 1e-12);
+    EXPECT_NEAR(at(9, 9, 8), 0, 1e-15);
+    EXPECT_NEAR(at(10, 9, 7), 0, 1e-15);
+}
+
+TEST_F(DepositTest, IsTheSameOnAnyRanks)
+{
+    PowderScene scene(ground(), "kernel", 2*cellSize());
+    scene.place(cloudInside(ground(), 3000, 11));
+
+    compareWithOneRank("deposit", mesh(), scene.deposit([](int i) { return 1.0 + i % 3; }), 1e-12);
+}
+
+TEST_F(DepositTest, IsContinuousInTheParticlesPosition)
+{
+    const std::vector<double> change = changes("kernel", movesAcross(1e-9));
+
+    ASSERT_GE(change.size(), 6u);
+    for (std::size_t i = 0; i < change.size(); ++i)
+    {
+        EXPECT_LE(change[i], 1e-8) << "crossing " << i;
+    }
+}
+
+// No weight may jump anywhere on the way: 300 steps of 1/100 of a cell, in which a share may
+// change by no more than the steepest hats allow (the finest cells are half the average).
+TEST_F(DepositTest, IsContinuousAlongAPathThroughTheMesh)
+{
+    const Foam::boundBox& box = mesh().bounds();
+    const point start = box.min() + cmptMultiply(vector(0.45, 0.1, 0.05), box.span());
+    const vector step = cellSize()/100*vector(0.36, 0.48, 0.8);
+    std::vector<Move> moves;
+    for (int n = 0; n < 300; ++n)
+    {
+        moves.push_back({start + scalar(n)*step, start + scalar(n + 1)*step});
+    }
+
+    const std::vector<double> change = changes("kernel", moves);
+
+    const double steepest = isUniform() ? 0.03 : 0.06;
+    for (std::size_t n = 0; n < change.size(); ++n)
+    {
+        EXPECT_LE(change[n], steepest) << "step " << n;
+        EXPECT_GT(change[n], 0) << "step " << n;
+    }
+}
+
+// The reason for the kernel: without it the particle leaves one cell for the next at once. (Nearer
+// to a face than 1e-9 it may be in either cell.)
+TEST_F(DepositTest, JumpsIfAParticleCountsWhereItsCentreIs)
+{
+    for (const double change : changes("centre", movesAcross(1e-8)))
+    {
+        EXPECT_NEAR(change, 1, 1e-12);
+    }
+}
+
+// sum_c w_c x_c = x_p: a linear field is seen exactly, half a cell or more away from walls.
+TEST_F(DepositTest, SeesALinearFieldExactlyInTheInterior)
+{
+    if (!isUniform() || isPeriodic())
+    {
+        GTEST_SKIP();
+    }
+    std::vector<point> cloud = cloudInside(ground(), 500, 9);
+    for (point& p : cloud)
+    {
+        p = mesh().bounds().midpoint() + 0.9*(p - mesh().bounds().midpoint());
+    }
+    PowderScene scene(ground(), "kernel");
+    scene.place(cloud);
+    Foam::List<Packed<3>> places(mesh().nCells());
+    forAll(places, cell)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            places[cell][d] = mesh().C()[cell][d];
+        }
+    }
+
+    const std::vector<Packed<3>> seen = scene.transfer().interpolate(std::move(places));
+
+    for (std::size_t i = 0; i < seen.size(); ++i)
+    {
+        for (int d = 0; d < 3; ++d)
+        {
+            ASSERT_NEAR(seen[i][d], scene.handled().positions[label(i)][d], 1e-15);
+        }
+    }
+}
+
+TEST_F(DepositTest, HasSharesThatAddUpToOne)
+{
+    PowderScene scene(ground(), "kernel");
+    scene.place(cloudInside(ground(), 1000, 13));
+    const ParticleWeights& weights = scene.transfer().weights();
+    ASSERT_EQ(weights.count(), int(scene.handled().ids.size()));
+    for (int i = 0; i < weights.count(); ++i)
+    {
+        double sum = 0;
+        for (int w = weights.offsets[i]; w < weights.offsets[i + 1]; ++w)
+        {
+            ASSERT_GE(weights.shares[w], 0);
+            sum += weights.shares[w];
+        }
+        ASSERT_NEAR(sum, 1, 1e-14);
+    }
+}
+
+// Half of the box is inside a wall; what is close to it falls to the open half, what is deep
+// inside keeps its own cell and is counted.
+TEST_F(DepositTest, PutsNothingIntoCoveredCellsAndCountsHiddenParticles)
+{
+    const scalar middle = mesh().bounds().midpoint().x();
+    const scalarField open(Foam::pos0(middle - mesh().C().primitiveField().component(0)));
+    const std::vector<point> cloud = cloudInside(ground(), 1000, 15);
+    PowderScene scene(ground(), "kernel");
+    scene.close(open);
+
+    std::vector<point> outside;
+    std::copy_if(cloud.begin(), cloud.end(), std::back_inserter(outside),
+        [&](const point& p) { return p.x() < middle && p.x() > mesh().bounds().min().x() + 1e-3; });
+    scene.place(outside);
+    const scalarField density = scene.deposit([](int) { return 1.0; });
+    EXPECT_EQ(Foam::returnReduce(scene.transfer().weights().hidden, Foam::sumOp<int>()), 0);
+    EXPECT_NEAR(Foam::gSum((density*mesh().V().field())()), outside.size(), 1e-12*outside.size());
+    EXPECT_EQ(largest((1 - open)*density), 0);
+
+    const int hidden = 3;
+    scene.place({hidden, point(middle + 3e-3, 1e-3, 1e-3)});
+    EXPECT_EQ(Foam::returnReduce(scene.transfer().weights().hidden, Foam::sumOp<int>()), hidden);
+    EXPECT_NEAR(Foam::gSum((scene.deposit([](int) { return 1.0; })*mesh().V().field())()), hidden,
+        1e-12);
+}
+
+// sum_c V f S(q)_c = sum_i q_i sample(f)_i, with smoothing and with cells partly covered.
+TEST_F(DepositTest, IsTheAdjointOfTheSampling)
+{
+    const auto quantity = [](int i) { return 1.0 + std::cos(i); };
+    scalarField open(mesh().nCells());
+    Foam::List<Packed<1>> field(mesh().nCells());
+    forAll(open, cell)
+    {
+        const vector x = 1e3*mesh().C()[cell];
+        open[cell] = std::min(1.0, std::max(0.0, 3 - 0.4*x.x()));
+        field[cell][0] = std::sin(3*x.x()) + std::cos(5*x.y())*x.z();
+    }
+    PowderScene scene(ground(), "kernel", 2*cellSize());
+    scene.close(open);
+    scene.place(cloudInside(ground(), 1000, 19));
+    ASSERT_GT(scene.smoothing().sweeps(), 0);
+
+    const scalarField density = scene.deposit(quantity);
+    scalar onTheMesh = 0;
+    scalar size = 0;
+    forAll(density, cell)
+    {
+        onTheMesh += mesh().V()[cell]*field[cell][0]*density[cell];
+        size += mesh().V()[cell]*Foam::mag(field[cell][0])*density[cell];
+    }
+    const std::vector<Packed<1>> seen = scene.transfer().sample(std::move(field));
+    scalar atParticles = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+    {
+        atParticles += quantity(scene.handled().ids[i])*seen[i][0];
+    }
+
+    Foam::reduce(onTheMesh, Foam::sumOp<scalar>());
+    Foam::reduce(size, Foam::sumOp<scalar>());
+    Foam::reduce(atParticles, Foam::sumOp<scalar>());
+    EXPECT_NEAR(onTheMesh, atParticles, 1e-12*size);
+}
+
+TEST_F(DepositTest, WorksWithoutParticles)
+{
+    PowderScene scene(ground(), "kernel", cellSize());
+    scene.place({});
+
+    EXPECT_EQ(largest(scene.deposit([](int) { return 1.0; })), 0);
+}
+
+TEST_F(DepositTest, NamesTheKernelsThatExistWhenANameIsWrong)
+{
+    try
+    {
+        DepositKernel::New("kernal", mesh(), halo(), ground().box, "constant/couplingProperties");
+        FAIL() << "a wrong name was taken";
+    }
+    catch (const InputError& error)
+    {
+        EXPECT_NE(std::strstr(error.what(), "constant/couplingProperties"), nullptr);
+        EXPECT_NE(std::strstr(error.what(), "kernel"), nullptr);
+        EXPECT_NE(std::strstr(error.what(), "centre"), nullptr);
+    }
+}
+
+} // namespace
+} // namespace interstice

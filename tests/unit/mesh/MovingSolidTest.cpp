@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/laws/InputError.hpp"
+#include "coupling/mesh/MovingSolid.hpp"
+#include "tests/unit/mesh/MeshTest.hpp"
+
+#include "fvCFD.H"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace interstice
+{
+namespace
+{
+
+using Foam::point;
+using Foam::scalar;
+using Foam::vector;
+
+class MovingSolidTest : public MeshTest
+{
+protected:
+    MovingSolidTest()
+    :
+        covered_(Foam::IOobject("covered", "0", mesh()), mesh(), Foam::dimless),
+        velocity_(Foam::IOobject("velocity", "0", mesh()), mesh(), Foam::dimVelocity)
+    {}
+
+    /// Writes a box with its centre in the origin; each rank has its own file.
+    static std::string boxFile(const std::string& name, const vector& size, int triangles = 12)
+    {
+        const std::array<std::array<int, 4>, 6> faces{{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+        const std::string path = name + std::to_string(Foam::Pstream::myProcNo()) + ".stl";
+        std::ofstream file(path);
+        file.precision(17);
+        file << "solid box\n";
+        for (int t = 0; t < triangles; ++t)
+        {
+            const auto& f = faces[t/2];
+            file << "facet normal 0 0 0\nouter loop\n";
+            for (const int corner : {f[0], t % 2 ? f[2] : f[1], t % 2 ? f[3] : f[2]})
+            {
+                file << "vertex " << (corner & 1 ? 0.5 : -0.5)*size.x() << ' '
+                     << (corner & 2 ? 0.5 : -0.5)*size.y() << ' '
+                     << (corner & 4 ? 0.5 : -0.5)*size.z() << '\n';
+            }
+            file << "endloop\nendfacet\n";
+        }
+        file << "endsolid box\n";
+        return path;
+    }
+
+    static MovingSolid make(const std::string& path)
+    {
+        return MovingSolid(mesh(), "shoe", path, "constant/couplingProperties, solids, shoe");
+    }
+
+    /// Turned about the axis (1 1 1) or another by an angle, its centre at a point.
+    static RigidPose posed(const point& centre, vector axis = vector(0, 0, 1), double angle = 0)
+    {
+        axis /= Foam::mag(axis);
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const vector& n = axis;
+        RigidPose pose;
+        pose.rotation = {c + (1 - c)*n.x()*n.x(), (1 - c)*n.x()*n.y() - s*n.z(),
+            (1 - c)*n.x()*n.z() + s*n.y(), (1 - c)*n.y()*n.x() + s*n.z(),
+            c + (1 - c)*n.y()*n.y(), (1 - c)*n.y()*n.z() - s*n.x(),
+            (1 - c)*n.z()*n.x() - s*n.y(), (1 - c)*n.z()*n.y() + s*n.x(),
+            c + (1 - c)*n.z()*n.z()};
+        pose.translation = {centre.x(), centre.y(), centre.z()};
+        return pose;
+    }
+
+    static point middle() { return mesh().bounds().midpoint(); }
+
+    void cover(const MovingSolid& solid, const RigidPose& pose)
+    {
+        covered_.primitiveFieldRef() = 0;
+        velocity_.primitiveFieldRef() = Foam::Zero;
+        solid.cover(pose, covered_, velocity_);
+    }
+
+    scalar coveredVolume() const
+    {
+        return Foam::gSum((covered_.primitiveField()*mesh().V().field())());
+    }
+
+    /// The message that a surface is refused with; empty if it is taken.
+    static std::string refusal(const std::string& path)
+    {
+        try
+        {
+            make(path);
+            return "";
+        }
+        catch (const InputError& error)
+        {
+            return error.what();
+        }
+    }
+
+    Foam::volScalarField covered_;
+    Foam::volVectorField velocity_;
+};
+
+constexpr double side = 5e-3;
+const vector cube(side, side, side);
+
+TEST_F(MovingSolidTest, CoversTheVolumeOfTheBodyAtAnyPose)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    const double expected = side*side*side;
+
+    for (const vector& shift : {vector(0, 0, 0), vector(0.21e-3, 0.13e-3, 0.07e-3),
+             vector(-1.1e-3, 0.3e-3, 0.8e-3)})
+    {
+        cover(solid, posed(middle() + shift));
+        EXPECT_NEAR(coveredVolume(), expected, 0.01*expected);
+    }
+    for (const double angle : {0.2, 0.7, 1.3})
+    {
+        cover(solid, posed(middle(), vector(0.2, 0.1, 1), angle));
+        EXPECT_NEAR(coveredVolume(), expected, 0.01*expected) << "angle " << angle;
+    }
+}
+
+TEST_F(MovingSolidTest, CoversCellsDeepInsideWhollyAndFarAwayNotAtAll)
+{
+    cover(make(boxFile("cube", cube)), posed(middle()));
+
+    forAll(covered_, cell)
+    {
+        const vector d = cmptMag(mesh().C()[cell] - middle());
+        const double outside = cmptMax(d) - side/2;
+        ASSERT_GE(covered_[cell], 0);
+        ASSERT_LE(covered_[cell], 1);
+        if (outside < -0.4e-3)
+        {
+            ASSERT_EQ(covered_[cell], 1);
+        }
+        if (outside > 0.4e-3)
+        {
+            ASSERT_EQ(covered_[cell], 0);
+        }
+    }
+}
+
+// A tenth of a micrometre and 2e-5 rad at a time: nothing switches. The ramp is 0.46 mm wide, a
+// distance of the table is never steeper than sqrt(3).
+TEST_F(MovingSolidTest, ChangesContinuouslyWithThePose)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    const double step = 1e-7;
+    const double steepest = 2*(step + 2e-5*side)/0.46e-3;
+    Foam::scalarField before;
+    for (int n = 0; n < 60; ++n)
+    {
+        // From far to near in leaps, each leap followed by one small step.
+        const double x = n/2*20e-6 + n % 2*step;
+        cover(solid, posed(middle() + vector(x, 0.3*x, 0), vector(1, 1, 1),
+                         n/2*0.02 + n % 2*2e-5));
+        const Foam::scalarField now = covered_.primitiveField();
+        if (n % 2 == 1)
+        {
+            ASSERT_LE(Foam::gMax(Foam::mag(now - before)()), steepest) << "step " << n;
+            ASSERT_GT(Foam::gMax(Foam::mag(now - before)()), 0) << "step " << n;
+        }
+        before = now;
+    }
+}
+
+TEST_F(MovingSolidTest, TurnsWithItsPose)
+{
+    // 7 mm long in x, and after a quarter turn about z in y.
+    const MovingSolid rod = make(boxFile("rod", vector(7e-3, 2e-3, 2e-3)));
+    const auto isCovered = [&](const point& p)
+    {
+        scalar found = 0;
+        for (const int cell : handle(ground(), {p}).cells)
+        {
+            found = covered_[cell];
+        }
+        return Foam::returnReduce(found, Foam::maxOp<scalar>());
+    };
+    const vector alongX(2.6e-3, 0.05e-3, 0.05e-3);
+    const vector alongY(0.05e-3, 2.6e-3, 0.05e-3);
+
+    cover(rod, posed(middle()));
+    EXPECT_EQ(isCovered(middle() + alongX), 1);
+    EXPECT_EQ(isCovered(middle() + alongY), 0);
+
+    cover(rod, posed(middle(), vector(0, 0, 1), Foam::constant::mathematical::piByTwo));
+    EXPECT_EQ(isCovered(middle() + alongX), 0);
+    EXPECT_EQ(isCovered(middle() + alongY), 1);
+}
+
+// v + w x r by hand, in every covered cell; the others keep what they had.
+TEST_F(MovingSolidTest, MovesTheAirWithTheVelocityOfThePose)
+{
+    RigidPose pose = posed(middle());
+    pose.velocity = {0.1, -0.2, 0.3};
+    pose.angularVelocity = {0, 0, 5};
+    cover(make(boxFile("cube", cube)), pose);
+
+    forAll(covered_, cell)
+    {
+        const vector r = mesh().C()[cell] - middle();
+        const vector expected = covered_[cell] > 0
+            ? vector(0.1 - 5*r.y(), -0.2 + 5*r.x(), 0.3)
+            : vector(Foam::Zero);
+        ASSERT_NEAR(Foam::mag(velocity_[cell] - expected), 0, 1e-12);
+    }
+}
+
+TEST_F(MovingSolidTest, LeavesCellsThatAnotherBodyCoversMoreToThatOne)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    covered_.primitiveFieldRef() = 0.5;
+    velocity_.primitiveFieldRef() = vector(1, 0, 0);
+    RigidPose pose = posed(middle());
+    pose.velocity = {0, 0, 2};
+
+    solid.cover(pose, covered_, velocity_);
+
+    EXPECT_EQ(Foam::gMin(covered_.primitiveField()), 0.5);
+    forAll(covered_, cell)
+    {
+        ASSERT_EQ(velocity_[cell], covered_[cell] > 0.5 ? vector(0, 0, 2) : vector(1, 0, 0));
+    }
+}
+
+TEST_F(MovingSolidTest, RefusesAMissingFile)
+{
+    const std::string text = refusal("nowhere/shoe.stl");
+
+    EXPECT_NE(text.find("nowhere/shoe.stl"), std::string::npos) << text;
+    EXPECT_NE(text.find("constant/couplingProperties, solids, shoe"), std::string::npos) << text;
+}
+
+TEST_F(MovingSolidTest, RefusesAnOpenSurface)
+{
+    const std::string path = boxFile("open", cube, 10);
+    const std::string text = refusal(path);
+
+    EXPECT_NE(text.find(path), std::string::npos) << text;
+    EXPECT_NE(text.find("closed"), std::string::npos) << text;
+}
+
+// 0.6 mm in y, where two cells of the mesh are 0.93 mm by their volume.
+TEST_F(MovingSolidTest, RefusesABodyThinnerThanTwoCells)
+{
+    const std::string path = boxFile("thin", vector(5e-3, 0.6e-3, 5e-3));
+    const std::string text = refusal(path);
+
+    EXPECT_NE(text.find(path), std::string::npos) << text;
+    EXPECT_NE(text.find("m thick"), std::string::npos) << text;
+    EXPECT_NE(text.find("two cells"), std::string::npos) << text;
+}
+
+TEST_F(MovingSolidTest, TakesABodyOfTwoCells)
+{
+    EXPECT_EQ(refusal(boxFile("twoCells", vector(5e-3, 0.95e-3, 5e-3))), "");
+}
+
+} // namespace
+} // namespace interstice

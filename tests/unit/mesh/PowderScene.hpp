@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/mesh/ParticleMeshTransfer.hpp"
+#include "tests/unit/mesh/MeshTest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interstice
+{
+
+/// A cloud, the same on all ranks, and its deposit on these.
+class PowderScene
+{
+public:
+    PowderScene(const Ground& ground, const Foam::word& kernel, double smoothingWidth = 0)
+    :
+        ground_(ground),
+        smoothing_(ground.mesh, ground.halo, smoothingWidth),
+        transfer_(ground.mesh, ground.halo,
+            DepositKernel::New(kernel, ground.mesh, ground.halo, ground.box, ""), smoothing_),
+        open_(ground.halo.size(), 1.0)
+    {}
+
+    /// Collective. `open` of own cells.
+    void close(const Foam::scalarField& open)
+    {
+        open_ = open;
+        ground_.halo.toGhosts(open_);
+        smoothing_.close(open_);
+    }
+
+    /// Collective.
+    void place(const std::vector<Foam::point>& all)
+    {
+        handled_ = handle(ground_, all);
+        transfer_.place(handled_.positions, handled_.cells, open_);
+    }
+
+    /// Collective. q of particle i of the list, as a density [q/m3].
+    template<class Quantity>
+    Foam::scalarField deposit(const Quantity& quantity) const
+    {
+        const Foam::List<Packed<1>> packed = transfer_.deposit<1>(
+            [&](int i) { return Packed<1>(Foam::scalar(quantity(handled_.ids[i]))); });
+        Foam::scalarField density(packed.size());
+        forAll(density, cell)
+        {
+            density[cell] = packed[cell][0];
+        }
+        return density;
+    }
+
+    const Handled& handled() const { return handled_; }
+    const ParticleMeshTransfer& transfer() const { return transfer_; }
+    const Smoothing& smoothing() const { return smoothing_; }
+
+private:
+    const Ground& ground_;
+    Smoothing smoothing_;
+    ParticleMeshTransfer transfer_;
+    Foam::scalarList open_;
+    Handled handled_;
+};
+
+/// Largest value over all ranks.
+inline double largest(const Foam::scalarField& field)
+{
+    return Foam::gMax(Foam::mag(field)());
+}
+
+} // namespace interstice

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/mesh/VoidFractionFloor.hpp"
+#include "tests/unit/mesh/OneRankReference.hpp"
+#include "tests/unit/mesh/PowderScene.hpp"
+
+namespace interstice
+{
+namespace
+{
+
+using Foam::scalar;
+using Foam::scalarField;
+using Foam::vector;
+
+constexpr double minimum = 0.35;
+constexpr double most = 1 - minimum;
+
+class VoidFractionFloorTest : public MeshTest
+{
+protected:
+    static scalar total(const scalarField& solids)
+    {
+        return Foam::gSum((solids*mesh().V().field())());
+    }
+
+    static VoidFractionFloor::Report apply(scalarField& solids)
+    {
+        return VoidFractionFloor(mesh(), halo(), minimum).apply(solids);
+    }
+
+    /// A bed of 0.55 that fills the mesh, in which two clusters overlap twice: 0.9. They lie
+    /// across the middle of the mesh in x and in y, where it is cut for more than one rank.
+    static scalarField overlapped()
+    {
+        const vector middle = mesh().bounds().midpoint();
+        scalarField solids(mesh().nCells(), 0.55);
+        forAll(solids, cell)
+        {
+            if (Foam::mag(mesh().C()[cell] - middle) < 1.6e-3)
+            {
+                solids[cell] = 0.9;
+            }
+        }
+        return solids;
+    }
+};
+
+TEST_F(VoidFractionFloorTest, KeepsTheFloorAndTheVolumeOfAnOverlappedCluster)
+{
+    scalarField solids = overlapped();
+    const scalar before = total(solids);
+    const scalar excess = total(Foam::max(solids - most, scalar(0)));
+    const int cells = Foam::returnReduce(
+        int(std::count_if(solids.begin(), solids.end(), [](double s) { return s > most; })),
+        Foam::sumOp<int>());
+    ASSERT_GT(cells, 20);
+
+    const VoidFractionFloor::Report report = apply(solids);
+
+    EXPECT_LE(Foam::gMax(solids), most + 1e-15);
+    EXPECT_NEAR(total(solids), before, 1e-12*before);
+    EXPECT_EQ(report.clipped, 0);
+    EXPECT_EQ(report.cells, cells);
+    EXPECT_NEAR(report.moved, excess, 1e-12*excess);
+}
+
+TEST_F(VoidFractionFloorTest, GivesTheSameFieldOnAnyRanks)
+{
+    scalarField solids = overlapped();
+    apply(solids);
+
+    compareWithOneRank("floored", mesh(), solids, 1e-12);
+}
+
+// The nearest room takes it: far from the cluster nothing changes by more than round-off.
+TEST_F(VoidFractionFloorTest, PutsTheExcessNearby)
+{
+    const scalarField before = overlapped();
+    scalarField solids = before;
+    apply(solids);
+
+    const vector middle = mesh().bounds().midpoint();
+    forAll(solids, cell)
+    {
+        if (before[cell] < most)
+        {
+            ASSERT_GE(solids[cell], before[cell] - 1e-15);
+        }
+        if (Foam::mag(mesh().C()[cell] - middle) > 4.5e-3)
+        {
+            ASSERT_NEAR(solids[cell], before[cell], 1e-9) << "cell " << cell;
+        }
+    }
+}
+
+TEST_F(VoidFractionFloorTest, ChangesNothingWhereNothingIsTooMuch)
+{
+    scalarField solids(mesh().nCells(), most);
+    const VoidFractionFloor::Report report = apply(solids);
+
+    EXPECT_EQ(solids, scalarField(mesh().nCells(), most));
+    EXPECT_EQ(report.cells, 0);
+    EXPECT_EQ(report.moved, 0);
+    EXPECT_EQ(report.clipped, 0);
+}
+
+// Everywhere 0.9: there is no room, and what the air does not see is 0.25 of the mesh.
+TEST_F(VoidFractionFloorTest, ReportsExactlyWhatFindsNoRoom)
+{
+    scalarField solids(mesh().nCells(), 0.9);
+    const scalar volume = Foam::gSum(mesh().V().field());
+
+    const VoidFractionFloor::Report report = apply(solids);
+
+    EXPECT_NEAR(report.clipped, (0.9 - most)*volume, 1e-12*volume);
+    EXPECT_NEAR(report.moved, 0, 1e-12*volume);
+    EXPECT_NEAR(Foam::gMin(solids), most, 1e-14);
+    EXPECT_LE(Foam::gMax(solids), most + 1e-15);
+}
+
+// Too much for the room there is: the mesh is full, the rest is reported.
+TEST_F(VoidFractionFloorTest, LosesNothingBetweenWhatItMovesAndWhatItReports)
+{
+    const scalar middle = mesh().bounds().midpoint().z();
+    scalarField solids(mesh().nCells(), 0.9);
+    forAll(solids, cell)
+    {
+        solids[cell] = mesh().C()[cell].z() > middle ? 0.9 : 0.6;
+    }
+    const scalar before = total(solids);
+
+    const VoidFractionFloor::Report report = apply(solids);
+
+    EXPECT_LE(Foam::gMax(solids), most + 1e-15);
+    EXPECT_GT(report.clipped, 0);
+    EXPECT_NEAR(total(solids) + report.clipped, before, 1e-12*before);
+}
+
+} // namespace
+} // namespace interstice
