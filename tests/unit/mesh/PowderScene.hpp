@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace interstice
 {
@@ -68,6 +69,20 @@ private:
 inline double largest(const Foam::scalarField& field)
 {
     return Foam::gMax(Foam::mag(field)());
+}
+
+/// Collective. The places of all ranks, in the order of the ranks.
+inline std::vector<Foam::point> ofAllRanks(const std::vector<Foam::point>& mine)
+{
+    const int numbers = 3*int(mine.size());
+    std::vector<int> counts(Foam::Pstream::nProcs());
+    MPI_Allgather(&numbers, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    std::vector<int> offsets(counts.size() + 1, 0);
+    std::partial_sum(counts.begin(), counts.end(), offsets.begin() + 1);
+    std::vector<Foam::point> all(offsets.back()/3);
+    MPI_Allgatherv(mine.data(), numbers, MPI_DOUBLE, all.data(), counts.data(),
+        offsets.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+    return all;
 }
 
 } // namespace interstice
