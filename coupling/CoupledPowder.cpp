@@ -242,11 +242,6 @@ void CoupledPowder::placeParcels(double interval)
     onMesh_->place(std::move(handled), exchange_->cells());
 }
 
-void CoupledPowder::bringToMesh()
-{
-    placeParcels(0);
-}
-
 void CoupledPowder::chooseTimeStep(double courant)
 {
     TimeStepChoice::Scene scene;
@@ -342,6 +337,7 @@ void CoupledPowder::refreshState()
     state_.mass = view.mass;
     state_.id = view.id;
     state_.interval = mesh_.time().deltaTValue();
+    refreshForces();
     const PowderOnMesh::Report& report = onMesh_->report();
     state_.clippedVolume = report.floor.clipped;
     state_.movedVolume = report.floor.moved;

@@ -63,8 +63,9 @@ public:
     long demSteps() const; ///< in this time step
     double demTimeStep() const; ///< [s]
 
-    /// The particles handled on this rank, where they are now; collective, costs an exchange.
-    void bringToMesh();
+    /// Writes the particles, where they are now, as the cloud lagrangian/powder of the clock's
+    /// time. Particles that no cell holds are left out.
+    void writeCloud();
 
 private:
     void openDem(const Foam::dictionary& dict);
@@ -75,6 +76,7 @@ private:
     void advanceDem();
     void checkParticles() const;
     void refreshState();
+    void refreshForces();
 
     Foam::fvMesh& mesh_;
     StageClock& clock_;

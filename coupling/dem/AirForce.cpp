@@ -33,7 +33,8 @@ enum Column
     dragImpulse = 7,     // 3
     slipWeight = 10,     // b phi(x) over a whole step, x = b dt/m
     restWeight = 11,     // phi(x) - 1
-    columns = 12
+    startImpulse = 12,   // 3, where dragImpulse began
+    columns = 15
 };
 
 } // namespace
@@ -75,7 +76,7 @@ void AirForce::actLast()
     }
 }
 
-void AirForce::setGas(int slot, const GasState& gas, const Vector3& startImpulse)
+void AirForce::setGas(int slot, const GasState& gas, const Vector3& start)
 {
     double* row = air_->array_atom[slot];
     row[dragCoefficient] = gas.dragCoefficient;
@@ -83,7 +84,8 @@ void AirForce::setGas(int slot, const GasState& gas, const Vector3& startImpulse
     {
         row[gasVelocity + k] = gas.velocity[k];
         row[gasForce + k] = gas.force[k];
-        row[dragImpulse + k] = startImpulse[k];
+        row[dragImpulse + k] = start[k];
+        row[startImpulse + k] = start[k];
     }
 }
 
@@ -91,6 +93,18 @@ Vector3 AirForce::impulse(int slot) const
 {
     const double* sum = air_->array_atom[slot] + dragImpulse;
     return {sum[0], sum[1], sum[2]};
+}
+
+AirAction AirForce::action(int slot) const
+{
+    const double* row = air_->array_atom[slot];
+    AirAction action;
+    for (int k = 0; k < 3; ++k)
+    {
+        action.dragImpulse[k] = row[dragImpulse + k] - row[startImpulse + k];
+        action.force[k] = row[gasForce + k];
+    }
+    return action;
 }
 
 void AirForce::begin(long long lastStep)

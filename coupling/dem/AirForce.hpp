@@ -30,6 +30,7 @@ public:
     /// Local, as in DemEngine.
     void setGas(int slot, const GasState& gas, const Vector3& startImpulse);
     Vector3 impulse(int slot) const;
+    AirAction action(int slot) const;
 
     /// Starts an interval that ends with LIGGGHTS' step number `lastStep`: puts the half step
     /// that comes before the first new force into the forces that LIGGGHTS holds. Local.

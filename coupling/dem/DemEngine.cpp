@@ -10,6 +10,7 @@
 
 #include <atom.h>
 #include <domain.h>
+#include <fix_gravity.h>
 #include <fix_property_global.h>
 #include <force.h>
 #include <modify.h>
@@ -149,6 +150,25 @@ DemBox DemEngine::box() const
     return box;
 }
 
+Vector3 DemEngine::gravity() const
+{
+    const LAMMPS_NS::Modify& modify = *implementation_->liggghts.lammps().modify;
+    Vector3 sum{};
+    for (int i = 0; i < modify.nfix; ++i)
+    {
+        if (auto* gravity = dynamic_cast<LAMMPS_NS::FixGravity*>(modify.fix[i]))
+        {
+            Vector3 one{};
+            gravity->get_gravity(one.data());
+            for (int k = 0; k < 3; ++k)
+            {
+                sum[k] += one[k];
+            }
+        }
+    }
+    return sum;
+}
+
 std::vector<double> DemEngine::materialProperty(const std::string& name) const
 {
     const LAMMPS_NS::Modify& modify = *implementation_->liggghts.lammps().modify;
@@ -230,6 +250,11 @@ void DemEngine::setGas(int slot, const GasState& gas, const Vector3& startImpuls
 Vector3 DemEngine::impulse(int slot) const
 {
     return implementation_->air->impulse(slot);
+}
+
+AirAction DemEngine::airAction(int slot) const
+{
+    return implementation_->air->action(slot);
 }
 
 double DemEngine::timeStep() const

@@ -53,6 +53,13 @@ struct GasState
     Vector3 force{};            ///< every force of the air but drag, -V grad(p) etc. [N]
 };
 
+/// What the air did to one particle since the last setGas().
+struct AirAction
+{
+    Vector3 dragImpulse{}; ///< momentum that drag gave it [N s]
+    Vector3 force{};       ///< GasState::force [N]
+};
+
 struct DemBox
 {
     Vector3 low{};  ///< [m]
@@ -116,6 +123,9 @@ public:
     bool hasWalls() const;        ///< a fix wall/gran of any kind
     DemBox box() const;           ///< only if hasBox()
 
+    /// Sum of all `fix gravity` [m/s2]; after couple().
+    Vector3 gravity() const;
+
     /// Values of a `fix property/global` (Young's modulus "youngsModulus" [Pa], "poissonsRatio",
     /// "coefficientRestitution", ...): one value, one a type, or one a pair of types (row by
     /// row), as the script gave it. Empty if the script gave none.
@@ -140,6 +150,10 @@ public:
     /// setGas(): exactly, m (v1 - v0) = drag impulse + time * gas.force + what gravity,
     /// contacts and walls gave. It travels with the particle to other ranks. Local.
     Vector3 impulse(int slot) const;
+
+    /// What the air did to particle `slot` since setGas(); it travels with the particle, too. Zero
+    /// for one that never met air. Local.
+    AirAction airAction(int slot) const;
 
     // Time
 

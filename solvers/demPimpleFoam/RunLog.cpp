@@ -100,6 +100,10 @@ void RunLog::step(const AirFlow::Report& air)
 void RunLog::write()
 {
     StageClock::Scope timed(clock_, Stage::output);
+    if (time_.outputTime())
+    {
+        powder_.writeCloud();
+    }
     time_.write();
 }
 

@@ -86,7 +86,8 @@ Line fitLine(const std::vector<double>& x, const std::vector<double>& z)
     }
     line.slope = xx > 0 ? xz/xx : 0;
     line.intercept = meanZ - line.slope*meanX;
-    line.determination = zz > 0 ? line.slope*xz/zz : 1;
+    // Heights that differ by round-off alone are one height.
+    line.determination = zz > 1e-20*xx ? line.slope*xz/zz : 1;
     return line;
 }
 
