@@ -20,28 +20,42 @@ using namespace Foam;
 namespace
 {
 
-// Every rank that has the error comes here. The first one prints; the others give it time to, and
-// speak only if it did not have the error.
+// Do all ranks stand here within a few seconds?
+bool allRanksHere()
+{
+    MPI_Request request;
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    for (int tick = 0; tick < 300; ++tick)
+    {
+        int done = 0;
+        MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+        if (done)
+        {
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+// An error that all ranks have is told once and ends them in good order; one that this rank alone
+// has must end the others where they wait.
 [[noreturn]] void stop(const std::string& message)
 {
-    int started = 0;
     int rank = 0;
-    MPI_Initialized(&started);
-    if (started)
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    const bool together = allRanksHere();
+    if (rank == 0 || !together)
     {
-        MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+        std::cout.flush();
+        std::cerr << "\nERROR: " << message << "\n" << std::endl;
     }
-    if (rank != 0)
-    {
-        std::this_thread::sleep_for(std::chrono::seconds(2));
-    }
-    std::cout.flush();
-    std::cerr << "\nERROR: " << message << "\n\n" << std::flush;
-    if (started)
+    if (!together)
     {
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
-    std::exit(1);
+    MPI_Finalize();
+    std::_Exit(1);
 }
 
 } // namespace
@@ -53,7 +67,8 @@ int Session::guard(Run run, int argc, char* argv[])
     // A value that is no number is found by our own checks, which name the cell or the particle.
     sigFpe::unset();
     // One line a step, not one a linear solve; DebugSwitches in controlDict can bring them back.
-    solverPerformance::debug = 0;
+    SolverPerformance<scalar>::debug = 0;
+    SolverPerformance<vector>::debug = 0;
     if (!args->checkRootCase())
     {
         FatalError.exit();
