@@ -357,6 +357,18 @@ void CoupledPowder::refreshState()
     }
 }
 
+CoupledPowder::Traffic CoupledPowder::traffic() const
+{
+    const ParticleExchange::Traffic& mine = exchange_->traffic();
+    const auto total = [](double value) { return returnReduce(value, sumOp<double>()); };
+    const double bytes = total(mine.bytes);
+    const double messages = total(mine.messages);
+    const double guests = total(exchange_->handled() - double(exchange_->residents().size()));
+    const double particles = max(double(state_.total), 1.0);
+    const double steps = max(double(mine.plans), 1.0);
+    return {bytes/particles/steps, messages/Pstream::nProcs()/steps, guests/particles};
+}
+
 const std::string& CoupledPowder::bindingLimit() const
 {
     return timeStep_->bindingLimit();

@@ -63,6 +63,15 @@ public:
     long demSteps() const; ///< in this time step
     double demTimeStep() const; ///< [s]
 
+    /// What the exchange of particles between ranks cost so far, means a coupling step. Collective.
+    struct Traffic
+    {
+        double bytesPerParticle = 0; ///< sent, of all particles
+        double messagesPerRank = 0; ///< sent, with content
+        double travellers = 0; ///< share of the particles handled away from home, last step
+    };
+    Traffic traffic() const;
+
     /// Writes the particles, where they are now, as the cloud lagrangian/powder of the clock's
     /// time. Particles that no cell holds are left out.
     void writeCloud();

@@ -17,8 +17,9 @@ using namespace Foam;
 fileName findScript(const std::string& name, const Time& time, const std::string& where)
 {
     const fileName inCase = time.globalPath()/name;
-    const fileName shipped = fileName(INTERSTICE_SCRIPTS)/name;
-    for (const fileName& path : {inCase, shipped})
+    const fileName installed = fileName(INTERSTICE_INSTALLED_SCRIPTS)/name;
+    const fileName inSource = fileName(INTERSTICE_SOURCE_SCRIPTS)/name;
+    for (const fileName& path : {inCase, inSource, installed})
     {
         if (isFile(path))
         {
@@ -26,7 +27,7 @@ fileName findScript(const std::string& name, const Time& time, const std::string
         }
     }
     throw InputError({"The LIGGGHTS script of the powder must exist.", name,
-        "a file " + inCase + "\nor " + shipped, where, "Correct the name or write the script."});
+        "a file " + inCase + "\nor " + inSource + "\nor " + installed, where, "Correct the name or write the script."});
 }
 
 std::map<std::string, std::string> numbersIn(const fileName& path, const std::string& where)

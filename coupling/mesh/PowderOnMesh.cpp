@@ -79,7 +79,6 @@ void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<
         positions[i] = toFoam(parcels_[i].position);
     }
     transfer_.place(positions, cells_, open_);
-    report_ = Report();
     report_.hidden = returnReduce(transfer_.weights().hidden, sumOp<int>());
 }
 

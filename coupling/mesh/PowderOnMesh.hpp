@@ -48,7 +48,7 @@ public:
         std::string where; ///< file, for messages
     };
 
-    /// What the last step did, over all ranks.
+    /// What the last deposit did, over all ranks.
     struct Report
     {
         VoidFractionFloor::Report floor;

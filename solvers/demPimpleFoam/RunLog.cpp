@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
+
 #include <cstdio>
 #include <fstream>
 
@@ -34,6 +36,14 @@ std::string duration(double seconds)
         std::snprintf(text, sizeof text, "%ld h %02ld min", s/3600, s/60 % 60);
     }
     return text;
+}
+
+// Of this rank [bytes].
+double peakMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0*usage.ru_maxrss; // Linux counts in KiB
 }
 
 } // namespace
@@ -123,25 +133,39 @@ void RunLog::end()
 void RunLog::table()
 {
     const StageTimes times = clock_.gather(MPI_COMM_WORLD);
-    Info<< nl << times.table().c_str() << endl;
+    const CoupledPowder::Traffic traffic = powder_.traffic();
+    const double memory = returnReduce(peakMemory(), maxOp<double>());
+    char line[160];
+    std::snprintf(line, sizeof line,
+        "    per coupling step: %.1f bytes sent a particle, %.1f messages a rank; memory at most %.0f "
+        "MB a rank\n",
+        traffic.bytesPerParticle, traffic.messagesPerRank, memory/1e6);
+    Info<< nl << times.table().c_str() << line << endl;
     if (Pstream::master())
     {
-        json(times);
+        json(times, traffic, memory);
     }
 }
 
 // Written beside and renamed, so that a kill leaves the old file or the new one.
-void RunLog::json(const StageTimes& times) const
+void RunLog::json(
+    const StageTimes& times, const CoupledPowder::Traffic& traffic, double memory) const
 {
     nlohmann::ordered_json out;
     out["time"] = time_.value();
     out["endTime"] = time_.endTime().value();
+    out["steps"] = time_.timeIndex();
     out["ranks"] = Pstream::nProcs();
+    out["particles"] = powder_.state().total;
     out["wallSeconds"] = times.wall;
     for (const StageTimes::Row& row : times.rows)
     {
         out["stages"][row.name] = {{"min", row.min}, {"mean", row.mean}, {"max", row.max}};
     }
+    out["bytesPerParticleStep"] = traffic.bytesPerParticle;
+    out["messagesPerRankStep"] = traffic.messagesPerRank;
+    out["travellingShare"] = traffic.travellers;
+    out["peakMemoryBytes"] = memory;
     const fileName folder = time_.globalPath()/"postProcessing";
     mkDir(folder);
     {

@@ -27,7 +27,7 @@ public:
 
 private:
     void table();
-    void json(const StageTimes& times) const;
+    void json(const StageTimes& times, const CoupledPowder::Traffic& traffic, double memory) const;
 
     Foam::Time& time_;
     CoupledPowder& powder_;
