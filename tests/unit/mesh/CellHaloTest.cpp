@@ -167,6 +167,8 @@ TEST_F(CellHaloTest, LinksEveryFaceToTheCellBehindIt)
         const vector d = ground().box.nearest(centreOf(all[link.other]) - mesh().C()[link.cell]);
         const int axis = Foam::mag(d.x()) > 1e-9 ? 0 : Foam::mag(d.y()) > 1e-9 ? 1 : 2;
         ASSERT_NEAR(Foam::mag(d), Foam::mag(d[axis]), 1e-12);
+        const bool single = ground().box.period()[0] > 0 && mesh().bounds().span().x() < 1e-3;
+        ASSERT_TRUE(single || Foam::mag(d[axis]) > 1e-5) << "linked to itself";
         ASSERT_EQ(link.internal, &link - halo().links().data() < mesh().nInternalFaces());
     }
 }
