@@ -13,16 +13,15 @@ namespace interstice
 ///
 ///     Q(t) = [V(t) - V(t - window)]/window                                        [m3/s]
 ///
-/// the mean of dV/dt over the window that ends at t; V as in DieCavity. Steps need not fit into the
-/// window: V between two steps is interpolated. Until a whole window has passed, Q is the mean since
-/// the start and does not count for the maximum.
+/// the mean of dV/dt over the window that ends at t; V as in DieCavity. Steps need not fit into
+/// the window: V between two steps is interpolated. Until a whole window has passed, Q is the
+/// mean since the start and does not count for the maximum.
 ///
 /// Usage
 ///
 ///     dieFlowRate
 ///     {
 ///         type    dieFlowRate;
-///         libs    ("libinterstice.so");
 ///         die     { low (0 0 -0.005); high (0.008 0.008 0); }
 ///         window  2e-3;
 ///     }

@@ -31,7 +31,6 @@ namespace interstice
 ///     fillingRatio
 ///     {
 ///         type        fillingRatio;
-///         libs        ("libinterstice.so");
 ///         die         { low (0 0 -0.005); high (0.008 0.008 0); }
 ///         fullMass    2.1e-3;
 ///         shoe        { wall "shoe"; direction (1 0 0); front -0.001; rear -0.013; }

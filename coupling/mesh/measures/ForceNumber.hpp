@@ -26,7 +26,6 @@ namespace interstice
 ///     forceNumber
 ///     {
 ///         type    forceNumber;
-///         libs    ("libinterstice.so");
 ///         die     { low (0 0 -0.005); high (0.008 0.008 0); }
 ///     }
 ///

@@ -29,7 +29,6 @@ namespace interstice
 ///     powderBalance
 ///     {
 ///         type    powderBalance;
-///         libs    ("libinterstice.so");
 ///         die     { low (0 0 -0.005); high (0.008 0.008 0); }
 ///         shoe    { wall "shoe"; low (-0.013 0 0); high (-0.001 0.008 0.03); }
 ///     }

@@ -18,6 +18,7 @@ namespace interstice
 ///
 /// Values are computed in each time step and written when writeControl says so. Like every
 /// function object they act on a time step when the next one begins, or at the end of the run.
+/// The solver brings them along, so that a controlDict needs no `libs` for them.
 ///
 /// Property       | Description                          | Unit | Default
 /// writePrecision | significant digits in the table      |      | that of controlDict

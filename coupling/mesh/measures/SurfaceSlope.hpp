@@ -32,7 +32,6 @@ Line fitLine(const std::vector<double>& x, const std::vector<double>& z);
 ///     surfaceSlope
 ///     {
 ///         type    surfaceSlope;
-///         libs    ("libinterstice.so");
 ///         die     { low (0 0 -0.005); high (0.008 0.008 0); }
 ///     }
 ///

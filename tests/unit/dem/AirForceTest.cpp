@@ -213,6 +213,29 @@ TEST(AirForce, StartsTheImpulseFromTheGivenValue)
     }
 }
 
+// The same momentum without the start, after a trip through ranks and memory.
+TEST(AirForce, TellsWhatTheAirDidInTheInterval)
+{
+    const auto dem = cloud();
+    const Vector3 start{1e-3*mass, -2e-3*mass, 3e-3*mass};
+    const ParticleView before = dem->particles();
+    for (int i = 0; i < before.count; ++i)
+    {
+        dem->setGas(i, airOf(before.id[i]), start);
+    }
+    dem->advance(500);
+    const ParticleView here = dem->particles();
+    for (int i = 0; i < here.count; ++i)
+    {
+        const AirAction action = dem->airAction(i);
+        EXPECT_EQ(action.force, airOf(here.id[i]).force);
+        for (int k = 0; k < 3; ++k)
+        {
+            EXPECT_NEAR(action.dragImpulse[k] + start[k], dem->impulse(i)[k], 1e-13*mass*30);
+        }
+    }
+}
+
 // A force fix that a command adds later would act unseen by the drag: here it must be felt as
 // one of the other forces. Terminal velocity F/b.
 TEST(AirForce, StaysTheLastForce)

@@ -73,6 +73,15 @@ TEST(DemEngine, TellsWhatTheScriptDefined)
 }
 
 // 4x4x4 spheres of 4 mm, 2500 kg/m3: 8.3776e-5 kg each.
+TEST(DemEngine, KnowsTheGravityOfTheScript)
+{
+    const auto dem = coupledScene("cloud.in", {{"gravity", "9.81"}});
+    EXPECT_EQ(dem->gravity(), (Vector3{0, 0, -9.81}));
+    dem->command("fix sideways all gravity 2 vector 1 0 0");
+    dem->advance(1);
+    EXPECT_EQ(dem->gravity(), (Vector3{2, 0, -9.81}));
+}
+
 TEST(DemEngine, CountsAndMeasuresTheParticlesOfAllRanks)
 {
     const auto dem = coupledScene("cloud.in", {{"gravity", "10"}});

@@ -251,7 +251,7 @@ TEST_F(ForceNumberTest, IsWeightOverWhatTheAirDoes)
     EXPECT_EQ(v[5], 20);
 }
 
-// A sphere of twice the diameter weighs 8 times as much, and so do its forces in the mean: with drag
+// A sphere of twice the diameter weighs 8 times as much, and its forces count so: with drag
 // b on both, sum m W/sum m F = (1 + 64) W/((1 + 8) F).
 TEST_F(ForceNumberTest, IsAMeanByMass)
 {
