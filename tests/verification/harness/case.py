@@ -80,6 +80,8 @@ class Case:
         self.writeInterval = None
         self.timeStep = ""
         self.pressureTolerance = 1e-12
+        self.correctors = 2
+        self.outer = 1
         self.slices = "z"
         self.processors = "* * *"
         self.recordEvery = 0  # DEM steps between records of the grains
@@ -112,6 +114,7 @@ class Case:
         numbers = {
             "endTime": self.endTime, "deltaT": self.deltaT, "demStep": self.demStep,
             "writeInterval": self.writeInterval or self.endTime, "ranks": ranks, "k": self.k,
+            "correctors": self.correctors, "outer": self.outer,
             "nu": air.viscosity/air.density, "rho": air.density,
             "smoothingWidth": self.smoothingWidth, "minimum": self.minimum,
             "pressureTolerance": self.pressureTolerance, "X": self.box.size[0],
