@@ -1,0 +1,249 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of a die filling run, and of its no-air twin if there is one.
+
+    ./plot.py            writes pictures/filling.png, pictures/section.png, pictures/time.png
+    ./plot.py --summary  prints the filling ratios, the stage table and where the pictures lie
+
+Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii), here and in variants/noAir.
+"""
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle, Rectangle
+
+case = Path(__file__).resolve().parent
+twin = case/"variants/noAir"
+ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
+plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
+                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
+                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+
+
+def derived():
+    numbers = {}
+    for name in ("caseParameters", "caseDerived"):
+        for line in (case/"system"/name).read_text().splitlines():
+            words = line.split("//")[0].replace(";", " ").split()
+            if len(words) == 2:
+                try:
+                    numbers[words[0]] = float(words[1])
+                except ValueError:
+                    numbers[words[0]] = words[1]
+    return numbers
+
+
+def table(folder, name):
+    """Columns of a function object's table, or None."""
+    path = folder/f"postProcessing/{name}/0/{name}.dat"
+    return np.loadtxt(path, ndmin=2) if path.is_file() else None
+
+
+def moments(folder):
+    """Name -> (time, filling ratio) as the run found them."""
+    path = folder/"postProcessing/fillingRatio/0/moments.dat"
+    rows = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
+    return {moment: (float(time), float(value)) for time, moment, value in rows}
+
+
+def legacyVtk(path):
+    """Points, mean point of each cell, and named data of an ASCII file of VTK's old format."""
+    words = path.read_text().split()
+    at, points, centres, data = 0, None, None, {}
+    take = lambda n, kind=float: np.array(words[at:at + n], dtype=kind)
+    while at < len(words):
+        word = words[at].upper()
+        if word == "POINTS":
+            n, at = int(words[at + 1]), at + 3
+            points, at = take(3*n).reshape(-1, 3), at + 3*n
+        elif word == "CELLS":
+            n, size, at = int(words[at + 1]), int(words[at + 2]), at + 3
+            if size == 9*n:
+                centres = points[take(size, int).reshape(-1, 9)[:, 1:]].mean(axis=1)
+            at += size
+        elif word in ("CELL_DATA", "POINT_DATA"):
+            kind, at = word, at + 2
+        elif word == "FIELD":
+            count, at = int(words[at + 2]), at + 3
+            for _ in range(count):
+                name, width, n, at = words[at], int(words[at + 1]), int(words[at + 2]), at + 4
+                data[kind, name] = take(width*n).reshape(-1, width)
+                at += width*n
+        else:
+            at += 1
+    return points, centres, data
+
+
+def instants(folder):
+    """Time -> files of cells and particles that foamToVTK wrote."""
+    found = []
+    for cells in folder.glob("VTK/*_*.vtk"):
+        number = cells.stem.split("_")[-1]
+        particles = folder/f"VTK/lagrangian/powder/powder_{number}.vtk"
+        if particles.is_file() and int(number) > 0:
+            found.append((int(number), cells, particles))
+    return [files for _, *files in sorted(found)]
+
+
+def filling(d):
+    fig, (upper, lower) = plt.subplots(2, 1, figsize=(7, 6.4), sharex=True, layout="constrained")
+    for folder, colour, name in ((case, withAir, "with air"), (twin, noAir, "no air")):
+        ratio, flow = table(folder, "fillingRatio"), table(folder, "dieFlowRate")
+        if ratio is None:
+            continue
+        t = 1e3*ratio[:, 0]
+        upper.plot(t, 100*ratio[:, 1], color=colour, lw=2)
+        upper.annotate(f"{name}: {100*ratio[-1, 1]:.1f} %", (t[-1], 100*ratio[-1, 1]),
+                       xytext=(-4, 6), textcoords="offset points", ha="right", color=colour,
+                       fontweight="bold")
+        if flow is not None:
+            lower.plot(1e3*flow[:, 0], 1e9*flow[:, 1], color=colour, lw=1.6)
+    for at, text in stations(d):
+        for axes in (upper, lower):
+            axes.axvline(1e3*at, color="0.75", lw=0.8, zorder=0)
+        upper.annotate(text, (1e3*at, 1), xycoords=("data", "axes fraction"), rotation=90,
+                       xytext=(-3, -2), textcoords="offset points", ha="right", va="top",
+                       fontsize=8, color="0.45")
+    upper.set(ylabel="filling ratio [%]", ylim=(0, 112), xlim=(0, 1e3*d["endTime"]))
+    lower.set(ylabel="powder into the die [mm³/s]", xlabel="time [ms]")
+    lower.set_ylim(bottom=min(0, lower.get_ylim()[0]))
+    save(fig, "filling.png")
+
+
+def stations(d):
+    """When the shoe's walls pass the edges of the die."""
+    when = lambda travel: travel/d["shoeSpeed"] + 0.5*d["rampTime"]
+    length, front, rear = d["dieLength"], d["shoeXHigh"], d["shoeXLow"]
+    return [(when(-front), "front wall reaches the die"),
+            (when(length - front), "front wall has crossed"),
+            (when(-rear), "rear wall reaches the die"),
+            (when(length - rear), "rear wall has crossed")]
+
+
+def shoeAt(d, t):
+    """Travel [m]: half a cosine of ramp, then full speed."""
+    v, ramp = d["shoeSpeed"], d["rampTime"]
+    s = min(t, ramp)
+    return 0.5*v*(s - ramp/np.pi*np.sin(np.pi*s/ramp)) + v*max(0, t - ramp)
+
+
+def section(d):
+    shots = instants(case)
+    if not shots:
+        return
+    fig, panels = plt.subplots(len(shots), 1, figsize=(9, 3.55*len(shots)), squeeze=False,
+                               layout="constrained")
+    for i, (axes, (cells, particles)) in enumerate(zip(panels[:, 0], shots)):
+        t = (i + 1)*d["pictureInterval"]
+        dots, arrows = shot(axes, d, t, cells, particles)
+        axes.set_title(f"t = {1e3*t:.0f} ms", loc="left", fontsize=11, fontweight="bold")
+    axes.set_xlabel("x [mm]")
+    fig.colorbar(dots, ax=panels[:, 0], label="parcel speed [m/s]", shrink=0.4, pad=0.01)
+    save(fig, "section.png")
+
+
+def shot(axes, d, t, cells, particles):
+    """A section along the middle: parcels by speed, air by arrows, walls as they stand."""
+    mm = 1e3
+    x, _, data = legacyVtk(particles)
+    diameter = data["POINT_DATA", "d"][:, 0]
+    speed = np.linalg.norm(data["POINT_DATA", "U"], axis=1)
+    cut = np.abs(x[:, 1]) < 0.75*diameter.max()
+    order = np.argsort(-np.abs(x[cut, 1]))
+    patches = [Circle((mm*p[0], mm*p[2]), mm*r/2)
+               for p, r in zip(x[cut][order], diameter[cut][order])]
+    dots = PatchCollection(patches, cmap="YlOrBr", edgecolor="#5a4632", lw=0.15)
+    dots.set_array(speed[cut][order])
+    dots.set_clim(0, 0.3)
+    axes.add_collection(dots)
+
+    _, c, data = legacyVtk(cells)
+    u = data["CELL_DATA", "U"]
+    free = np.ones(len(c), bool)
+    if ("CELL_DATA", "solid") in data:
+        free = data["CELL_DATA", "solid"][:, 0] < 0.5
+    level = c[np.argmin(np.abs(c[:, 1])), 1]
+    here = free & (np.abs(c[:, 1] - level) < 1e-7)
+    arrows = axes.quiver(mm*c[here, 0], mm*c[here, 2], u[here, 0], u[here, 2], color=withAir,
+                         scale=0.25, scale_units="x", width=0.0011, angles="xy", zorder=3)
+    axes.quiverkey(arrows, 0.93, 1.04, 0.25, "air 0.25 m/s", labelpos="W", color=withAir)
+
+    walls = dict(color="0.55", lw=0, zorder=2)
+    low, deep, thick = mm*d["xLow"], mm*d["dieDepth"], 0.8
+    length, right = mm*d["dieLength"], mm*d["xHigh"]
+    axes.add_patch(Rectangle((low, -deep - thick), -low, deep + thick, **walls))
+    axes.add_patch(Rectangle((length, -deep - thick), right - length, deep + thick, **walls))
+    axes.add_patch(Rectangle((0, -deep - thick), length, thick, **walls))
+    height, wall = mm*d["zHigh"], mm*d["wallThickness"]
+    for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
+        axes.add_patch(Rectangle((mm*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **walls))
+    axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal", ylabel="z [mm]")
+    return dots, arrows
+
+
+def time():
+    runs = [(folder, name) for folder, name in ((case, "with air"), (twin, "no air"))
+            if (folder/"postProcessing/time.json").is_file()]
+    fig, axes = plt.subplots(figsize=(7, 0.9 + 0.42*8), layout="constrained")
+    reports = [(json.loads((folder/"postProcessing/time.json").read_text()), name)
+               for folder, name in runs]
+    stages = list(reports[0][0]["stages"])
+    height = 0.8/len(reports)
+    for i, (report, name) in enumerate(reports):
+        seconds = [report["stages"].get(stage, {"mean": 0})["mean"] for stage in stages]
+        at = np.arange(len(stages)) + (i - 0.5*(len(reports) - 1))*height
+        axes.barh(at, seconds, 0.92*height, color=(withAir, noAir)[name == "no air"],
+                  label=f"{name}: {report['wallSeconds']:.0f} s on {report['ranks']} ranks")
+        for y, s in zip(at, seconds):
+            if s >= 0.05:
+                axes.annotate(f"{s:.1f} s  {100*s/report['wallSeconds']:.0f} %", (s, y),
+                              xytext=(3, 0), textcoords="offset points", va="center", fontsize=8)
+    axes.set_yticks(range(len(stages)), stages)
+    axes.invert_yaxis()
+    axes.set(xlabel="wall time [s]")
+    axes.margins(x=0.18)
+    axes.legend(frameon=False, loc="lower right")
+    save(fig, "time.png")
+
+
+def save(fig, name):
+    (case/"pictures").mkdir(exist_ok=True)
+    fig.savefig(case/"pictures"/name)
+    plt.close(fig)
+
+
+def summary():
+    print("\nFilling ratio [%]" + " "*20 + "with air   no air")
+    runs = [moments(folder) for folder in (case, twin)
+            if (folder/"postProcessing/fillingRatio/0/moments.dat").is_file()]
+    names = {"frontCrossed": "the shoe's front wall has crossed",
+             "rearArrives": "its rear wall arrives", "end": "it has passed: the result"}
+    for key, text in names.items():
+        print(f"  {text:<35}" + "".join(
+            f"{100*run[key][-1]:8.1f}" if key in run else "       -" for run in runs))
+    report = json.loads((case/"postProcessing/time.json").read_text())
+    print(f"\nTime by stage, with air, {report['ranks']} ranks [s]")
+    for stage, seconds in report["stages"].items():
+        print(f"  {stage:<12}{seconds['mean']:8.1f}  {100*seconds['mean']/report['wallSeconds']:5.1f} %")
+    print(f"  {'wall time':<12}{report['wallSeconds']:8.1f}")
+    print("\nPictures: " + ", ".join(str(p) for p in sorted((case/"pictures").glob("*.png"))))
+
+
+def main():
+    if "--summary" in sys.argv:
+        summary()
+        return
+    d = derived()
+    filling(d)
+    section(d)
+    time()
+
+
+if __name__ == "__main__":
+    main()
