@@ -67,6 +67,7 @@ void PowderOnMesh::cover(const volScalarField& covered)
     open_ = 1 - covered.primitiveField();
     halo_.toGhosts(open_);
     smoothing_.close(open_);
+    floor_.close(open_);
 }
 
 void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<int>& cells)

@@ -26,7 +26,8 @@ VoidFractionFloor::VoidFractionFloor(const fvMesh& mesh, const CellHalo& halo, d
 :
     halo_(halo),
     volumes_(mesh.V().field()),
-    minimum_(minimum)
+    minimum_(minimum),
+    open_(halo.size(), 1.0)
 {}
 
 VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids) const
@@ -77,7 +78,7 @@ double VoidFractionFloor::spread(scalarField& solids, scalarField& excess,
     forAll(attraction, celli)
     {
         const double room = (most - solids[celli])*volumes_[celli];
-        outgoing[celli][0] = max(room, attraction[celli]);
+        outgoing[celli][0] = open_[celli]*max(room, attraction[celli]);
     }
     halo_.toGhosts(outgoing);
     const auto attract = [&](label cell, label other)

@@ -22,6 +22,10 @@ public:
     /// `minimum`: smallest void fraction allowed, in (0, 1).
     VoidFractionFloor(const Foam::fvMesh& mesh, const CellHalo& halo, double minimum);
 
+    /// Local. `open`: uncovered fraction of each cell (see MovingSolid); no powder is handed into
+    /// a solid.
+    void close(const Foam::scalarList& open) { open_ = open; }
+
     /// Collective. `solids`: volume fraction of powder, nCells long; changed in place.
     Report apply(Foam::scalarField& solids) const;
 
@@ -34,6 +38,7 @@ private:
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;
     double minimum_;
+    Foam::scalarList open_;
 };
 
 } // namespace interstice

@@ -118,6 +118,36 @@ TEST_F(VoidFractionFloorTest, ReportsExactlyWhatFindsNoRoom)
     EXPECT_LE(Foam::gMax(solids), most + 1e-15);
 }
 
+// One half of the mesh is inside a solid: what is too much in the other half stays there.
+TEST_F(VoidFractionFloorTest, HandsNothingIntoASolid)
+{
+    const vector middle = mesh().bounds().midpoint();
+    Foam::scalarList open(mesh().nCells(), 1.0);
+    scalarField solids = overlapped();
+    forAll(solids, cell)
+    {
+        if (mesh().C()[cell].z() > middle.z())
+        {
+            open[cell] = 0;
+            solids[cell] = 0;
+        }
+    }
+    halo().toGhosts(open);
+    const scalar before = total(solids);
+
+    VoidFractionFloor floor(mesh(), halo(), minimum);
+    floor.close(open);
+    const VoidFractionFloor::Report report = floor.apply(solids);
+
+    ASSERT_GT(report.moved, 0);
+    EXPECT_EQ(report.clipped, 0);
+    EXPECT_NEAR(total(solids), before, 1e-12*before);
+    forAll(solids, cell)
+    {
+        ASSERT_TRUE(open[cell] > 0 || solids[cell] == 0) << "cell " << cell;
+    }
+}
+
 // Too much for the room there is: the mesh is full, the rest is reported.
 TEST_F(VoidFractionFloorTest, LosesNothingBetweenWhatItMovesAndWhatItReports)
 {
