@@ -10,6 +10,7 @@ Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii), here and in variants/
 import json
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import matplotlib
 matplotlib.use("Agg")
@@ -52,42 +53,46 @@ def moments(folder):
     return {moment: (float(time), float(value)) for time, moment, value in rows}
 
 
-def legacyVtk(path):
-    """Points, mean point of each cell, and named data of an ASCII file of VTK's old format."""
+def cells(path):
+    """Time, centre of each cell, and named cell data of an ASCII file of VTK's old format."""
     words = path.read_text().split()
-    at, points, centres, data = 0, None, None, {}
+    at, time, points, centres, data = 0, None, None, None, {}
     take = lambda n, kind=float: np.array(words[at:at + n], dtype=kind)
-    while at < len(words):
-        word = words[at].upper()
+    while at < len(words) and words[at] != "POINT_DATA":
+        word = words[at]
         if word == "POINTS":
             n, at = int(words[at + 1]), at + 3
             points, at = take(3*n).reshape(-1, 3), at + 3*n
         elif word == "CELLS":
-            n, size, at = int(words[at + 1]), int(words[at + 2]), at + 3
-            if size == 9*n:
-                centres = points[take(size, int).reshape(-1, 9)[:, 1:]].mean(axis=1)
-            at += size
-        elif word in ("CELL_DATA", "POINT_DATA"):
-            kind, at = word, at + 2
+            size, at = int(words[at + 2]), at + 3
+            centres, at = points[take(size, int).reshape(-1, 9)[:, 1:]].mean(axis=1), at + size
         elif word == "FIELD":
             count, at = int(words[at + 2]), at + 3
             for _ in range(count):
                 name, width, n, at = words[at], int(words[at + 1]), int(words[at + 2]), at + 4
-                data[kind, name] = take(width*n).reshape(-1, width)
-                at += width*n
+                data[name], at = take(width*n).reshape(-1, width), at + width*n
         else:
             at += 1
-    return points, centres, data
+    return float(data["TimeValue"][0, 0]), centres, data
+
+
+def parcels(path):
+    """Positions and named data of a cloud in VTK's XML format, ASCII."""
+    data = {}
+    for array in ElementTree.parse(path).iter("DataArray"):
+        values = np.array(array.text.split(), float)
+        data[array.get("Name")] = values.reshape(-1, int(array.get("NumberOfComponents", 1)))
+    return data["Points"], data
 
 
 def instants(folder):
-    """Time -> files of cells and particles that foamToVTK wrote."""
+    """Files of cells and parcels that foamToVTK wrote, in order of time, the start left out."""
     found = []
-    for cells in folder.glob("VTK/*_*.vtk"):
-        number = cells.stem.split("_")[-1]
-        particles = folder/f"VTK/lagrangian/powder/powder_{number}.vtk"
-        if particles.is_file() and int(number) > 0:
-            found.append((int(number), cells, particles))
+    for file in folder.glob("VTK/*_*.vtk"):
+        number = file.stem.split("_")[-1]
+        cloud = folder/f"VTK/lagrangian/powder/powder_{number}.vtp"
+        if cloud.is_file():
+            found.append((int(number), file, cloud))
     return [files for _, *files in sorted(found)]
 
 
@@ -137,23 +142,25 @@ def section(d):
     shots = instants(case)
     if not shots:
         return
-    fig, panels = plt.subplots(len(shots), 1, figsize=(9, 3.55*len(shots)), squeeze=False,
-                               layout="constrained")
-    for i, (axes, (cells, particles)) in enumerate(zip(panels[:, 0], shots)):
-        t = (i + 1)*d["pictureInterval"]
-        dots, arrows = shot(axes, d, t, cells, particles)
-        axes.set_title(f"t = {1e3*t:.0f} ms", loc="left", fontsize=11, fontweight="bold")
-    axes.set_xlabel("x [mm]")
-    fig.colorbar(dots, ax=panels[:, 0], label="parcel speed [m/s]", shrink=0.4, pad=0.01)
+    rows = (len(shots) + 1)//2
+    fig, panels = plt.subplots(rows, 2, figsize=(13, 3.3*rows), squeeze=False, sharex=True,
+                               sharey=True, layout="constrained")
+    for axes, files in zip(panels.flat, shots):
+        dots = shot(axes, d, *files)
+    for axes in panels[-1]:
+        axes.set_xlabel("x [mm]")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("z [mm]")
+    fig.colorbar(dots, ax=panels, label="parcel speed [m/s]", shrink=0.6, pad=0.01)
     save(fig, "section.png")
 
 
-def shot(axes, d, t, cells, particles):
+def shot(axes, d, air, powder):
     """A section along the middle: parcels by speed, air by arrows, walls as they stand."""
     mm = 1e3
-    x, _, data = legacyVtk(particles)
-    diameter = data["POINT_DATA", "d"][:, 0]
-    speed = np.linalg.norm(data["POINT_DATA", "U"], axis=1)
+    x, data = parcels(powder)
+    diameter = data["d"][:, 0]
+    speed = np.linalg.norm(data["U"], axis=1)
     cut = np.abs(x[:, 1]) < 0.75*diameter.max()
     order = np.argsort(-np.abs(x[cut, 1]))
     patches = [Circle((mm*p[0], mm*p[2]), mm*r/2)
@@ -163,15 +170,15 @@ def shot(axes, d, t, cells, particles):
     dots.set_clim(0, 0.3)
     axes.add_collection(dots)
 
-    _, c, data = legacyVtk(cells)
-    u = data["CELL_DATA", "U"]
-    free = np.ones(len(c), bool)
-    if ("CELL_DATA", "solid") in data:
-        free = data["CELL_DATA", "solid"][:, 0] < 0.5
+    t, c, data = cells(air)
+    axes.set_title(f"t = {1e3*t:.0f} ms", loc="left", fontsize=11, fontweight="bold")
+    u = data["U"]
+    free = data["solid"][:, 0] < 0.5
     level = c[np.argmin(np.abs(c[:, 1])), 1]
-    here = free & (np.abs(c[:, 1] - level) < 1e-7)
+    every = lambda x: np.unique(np.round(x, 7), return_inverse=True)[1] % 2 == 0
+    here = free & (np.abs(c[:, 1] - level) < 1e-7) & every(c[:, 0]) & every(c[:, 2])
     arrows = axes.quiver(mm*c[here, 0], mm*c[here, 2], u[here, 0], u[here, 2], color=withAir,
-                         scale=0.25, scale_units="x", width=0.0011, angles="xy", zorder=3)
+                         scale=0.2, scale_units="x", width=0.0022, angles="xy", zorder=3)
     axes.quiverkey(arrows, 0.93, 1.04, 0.25, "air 0.25 m/s", labelpos="W", color=withAir)
 
     walls = dict(color="0.55", lw=0, zorder=2)
@@ -183,8 +190,8 @@ def shot(axes, d, t, cells, particles):
     height, wall = mm*d["zHigh"], mm*d["wallThickness"]
     for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
         axes.add_patch(Rectangle((mm*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **walls))
-    axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal", ylabel="z [mm]")
-    return dots, arrows
+    axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal")
+    return dots
 
 
 def time():
@@ -199,7 +206,8 @@ def time():
         seconds = [report["stages"].get(stage, {"mean": 0})["mean"] for stage in stages]
         at = np.arange(len(stages)) + (i - 0.5*(len(reports) - 1))*height
         axes.barh(at, seconds, 0.92*height, color=(withAir, noAir)[name == "no air"],
-                  label=f"{name}: {report['wallSeconds']:.0f} s on {report['ranks']} ranks")
+                  label=f"{name}: {report['wallSeconds']:.0f} s on {report['ranks']} rank"
+                  + "s"*(report["ranks"] > 1))
         for y, s in zip(at, seconds):
             if s >= 0.05:
                 axes.annotate(f"{s:.1f} s  {100*s/report['wallSeconds']:.0f} %", (s, y),
@@ -223,7 +231,7 @@ def summary():
     runs = [moments(folder) for folder in (case, twin)
             if (folder/"postProcessing/fillingRatio/0/moments.dat").is_file()]
     names = {"frontCrossed": "the shoe's front wall has crossed",
-             "rearArrives": "its rear wall arrives", "end": "it has passed: the result"}
+             "rearArrives": "its rear wall arrives", "end": "the shoe has passed: the result"}
     for key, text in names.items():
         print(f"  {text:<35}" + "".join(
             f"{100*run[key][-1]:8.1f}" if key in run else "       -" for run in runs))
