@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No physics and no mesh library: the cells are slabs of a bar along x, dealt out to the ranks.
-#include "coupling/exchange/ParticleExchange.hpp"
+#include "tests/unit/exchange/SlabScene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,117 +13,6 @@ namespace interstice
 {
 namespace
 {
-
-using Quality = Location::Quality;
-
-int thisRank()
-{
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    return rank;
-}
-
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
-long sumOverRanks(long mine)
-{
-    MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
-    return mine;
-}
-
-/// A bar of unit cross-section whose cells [i, i + 1] lie along x; this rank has [first, last).
-struct Slabs
-{
-    int first;
-    int last;
-
-    bool holds(const Vec3& p) const
-    {
-        return first < last && p[0] >= first && p[0] <= last && p[1] >= 0 && p[1] <= 1
-            && p[2] >= 0 && p[2] <= 1;
-    }
-
-    int cellOf(const Vec3& p) const
-    {
-        return std::min(static_cast<int>(p[0]), last - 1) - first;
-    }
-
-    Location operator()(const SearchPoint& point) const
-    {
-        if (holds(point.position))
-        {
-            return {Quality::exact, cellOf(point.position)};
-        }
-        if (holds(point.fallback))
-        {
-            return {Quality::fallback, cellOf(point.fallback)};
-        }
-        return {};
-    }
-
-    Bounds bounds() const
-    {
-        Bounds box;
-        if (first < last)
-        {
-            box.add({double(first), 0, 0});
-            box.add({double(last), 1, 1});
-        }
-        return box;
-    }
-};
-
-constexpr int cellsPerRank = 5;
-
-Slabs evenSlabs()
-{
-    return {thisRank()*cellsPerRank, (thisRank() + 1)*cellsPerRank};
-}
-
-SearchPoint at(double x, double y = 0.5, double z = 0.5)
-{
-    return {{x, y, z}, {x, y, z}};
-}
-
-/// The same cloud on every rank. The box reaches a tenth of its length beyond the bar.
-std::vector<SearchPoint> cloud(int count, double length)
-{
-    std::mt19937 random(7);
-    const auto between = [&](double low, double high)
-    { return low + (high - low)*(random()/4294967296.0); };
-    std::vector<SearchPoint> points;
-    for (int i = 0; i < count; ++i)
-    {
-        points.push_back(at(between(-0.1*length, 1.1*length), between(0, 1), between(0, 1)));
-    }
-    return points;
-}
-
-/// Particle i is owned by rank i mod P, wherever it is.
-std::vector<int> dealtOut(int count)
-{
-    std::vector<int> ids;
-    for (int i = thisRank(); i < count; i += ranks())
-    {
-        ids.push_back(i);
-    }
-    return ids;
-}
-
-std::vector<SearchPoint> select(const std::vector<SearchPoint>& all, const std::vector<int>& ids)
-{
-    std::vector<SearchPoint> own;
-    for (const int id : ids)
-    {
-        own.push_back(all[id]);
-    }
-    return own;
-}
 
 TEST(ParticleExchange, HandlesEachParticleOnTheOneRankWhoseCellsHoldIt)
 {
@@ -400,38 +288,6 @@ TEST(ParticleExchange, WorksWithNoParticlesAtAll)
     EXPECT_EQ(exchange.handled(), 0);
     EXPECT_TRUE(exchange.toHandlers(std::vector<double>()).empty());
     EXPECT_TRUE(exchange.outside().empty());
-}
-
-TEST(Bounds, HoldNothingUntilAPointIsAdded)
-{
-    Bounds box;
-    EXPECT_FALSE(box.contains({0, 0, 0}));
-
-    box.add({1, 2, 3});
-    EXPECT_TRUE(box.contains({1, 2, 3}));
-    EXPECT_FALSE(box.contains({1, 2, 3.1}));
-
-    box.grow(0.2);
-    EXPECT_TRUE(box.contains({1, 2, 3.1}));
-}
-
-TEST(Bounds, StayEmptyWhenGrownWithoutAPoint)
-{
-    Bounds box;
-    box.grow(1);
-
-    EXPECT_FALSE(box.contains({0, 0, 0}));
-}
-
-// A particle whose position is no number is in no cell, so that it is reported as outside.
-TEST(Bounds, DoNotHoldAPointThatIsNotANumber)
-{
-    Bounds box;
-    box.add({0, 0, 0});
-    box.add({1, 1, 1});
-
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(box.contains({0.5, nan, 0.5}));
 }
 
 } // namespace
