@@ -27,10 +27,10 @@ MAPPED = 2e-2
 RELAXATION = 5e-2
 
 
-def plug(name, k=1, perCell=1, **options):
+def plug(name, k=1, perCell=1, height=HEIGHT, **options):
     spacing = (math.pi/6/(1 - VOID))**(1/3)*k*powder.diameter
     cell = perCell*spacing
-    layers = 2*round(HEIGHT/cell/2)
+    layers = 2*round(height/cell/2)
     box = Box((cell, cell, 2*layers*cell), (1, 1, 2*layers),
               ("periodic", "periodic", ("noSlip", "outlet")))
     settings = dict(k=k, motion="tied", gravity=(0, 0, -GRAVITY), deltaT=0.1*RESPONSE,

@@ -11,9 +11,10 @@ from . import case as cases
 
 
 class Bench:
-    def __init__(self, name, solver, work, ranks):
+    def __init__(self, name, solver, work, ranks, naive=None):
         self.name = name
         self.solver = str(pathlib.Path(solver).resolve())
+        self.naiveFolder = naive
         self.work = pathlib.Path(work).resolve()
         self.ranks = ranks
         self.rows = []
@@ -31,6 +32,11 @@ class Bench:
         run = cases.run(case, self.folder(case), self.ranks, self.solver)
         self.judge(run, impulse)
         return run
+
+    def runNaively(self, case, choice):
+        """Runs a case by the solver with a naive choice; nothing is judged."""
+        solver = pathlib.Path(self.naiveFolder).resolve()/choice
+        return cases.run(case, self.folder(case), self.ranks, str(solver))
 
     def judge(self, run, impulse):
         """Rows that are printed only if they fail: they are many, and all alike."""
@@ -111,8 +117,9 @@ def main(verify):
     options.add_argument("--solver", required=True, help="path of demPimpleFoam")
     options.add_argument("--work", required=True, help="folder for the runs")
     options.add_argument("--ranks", type=int, default=1)
+    options.add_argument("--naive", help="folder of solvers with naive choices")
     chosen = options.parse_args()
     name = pathlib.Path(sys.argv[0]).stem
-    bench = Bench(name, chosen.solver, chosen.work, chosen.ranks)
+    bench = Bench(name, chosen.solver, chosen.work, chosen.ranks, chosen.naive)
     verify(bench)
     bench.end()

@@ -208,9 +208,10 @@ class Run:
         uniform = re.search(r"internalField\s+uniform\s+([^;]+);", text)
         if uniform:
             return [value(uniform.group(1))]*count
-        found = re.search(r"internalField\s+nonuniform\s+List<\w+>\s+\d+\s*\((.*?)\n?\)\s*;", text,
+        found = re.search(r"internalField\s+nonuniform\s+List<\w+>\s+\d+\s*\((.*?)\)\s*;", text,
                           re.S)
-        return [value(line) for line in found.group(1).strip().splitlines()]
+        # Short lists stand on one line.
+        return [value(cell) for cell in re.findall(r"\([^)]*\)|[^\s()]+", found.group(1))]
 
     def layers(self, name, time=None):
         """Mean of a scalar field, or of the z component of a vector field, in each layer along z."""

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Naive: drag alone moves the powder, -V grad(p) does not.
+#include "solvers/demPimpleFoam/AirFlow.hpp"
+
+#define pressureGradient() pressureGradient()*Foam::scalar(0)
+#include "solvers/demPimpleFoam/demPimpleFoam.cpp"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Naive: Gauss' gradient of p in place of the one that belongs to the fluxes.
+#include "coupling/mesh/BedFaces.hpp"
+
+#include "fvc.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& alphaPhi,
+    const surfaceScalarField&, const volScalarField&, const volVectorField&,
+    const surfaceScalarField&)
+{
+    return fvc::grad(alphaPhi.mesh().lookupObject<volScalarField>("p"));
+}
+
+} // namespace interstice
