@@ -5,6 +5,7 @@
 ///
 ///     CoupledPowder   the powder, from LIGGGHTS to fields on the mesh and back
 ///     bedFaces        momentum of the air across the faces of a bed
+///     Parameters      a dictionary whose keys are checked as they are read
 ///     StageClock      where the time goes
 ///     InputError      what a user can cause and remedy; RunFailure: what shows only while running
 
@@ -12,4 +13,5 @@
 #include "coupling/RunFailure.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/BedFaces.hpp"
+#include "coupling/mesh/Parameters.hpp"
 #include "coupling/report/StageClock.hpp"

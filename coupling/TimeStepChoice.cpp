@@ -55,10 +55,11 @@ TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
     maxDemStep_ = p.number("maxDemStep", "s", Range::positive, 1e-4);
     p.allKnown();
 
-    const dictionary& control = time.controlDict();
-    adjust_ = control.getOrDefault<bool>("adjustTimeStep", true);
-    maxCo_ = control.getOrDefault<scalar>("maxCo", 1);
-    maxDeltaT_ = control.getOrDefault<scalar>("maxDeltaT", GREAT);
+    const Parameters control(time.controlDict());
+    adjust_ = control.flag("adjustTimeStep", true);
+    maxCo_ = control.number("maxCo", "", Range::positive, 1);
+    maxDeltaT_ = control.number("maxDeltaT", "s", Range::positive, GREAT);
+    control.number("writeInterval", "", Range::positive, 1);
 }
 
 TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const DemEngine& dem) const

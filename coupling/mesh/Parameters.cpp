@@ -5,9 +5,12 @@
 
 #include "ITstream.H"
 #include "OSspecific.H"
+#include "StringStream.H"
 #include "Switch.H"
+#include "dimensionedScalar.H"
 #include "error.H"
 
+#include <algorithm>
 #include <sstream>
 
 namespace interstice
@@ -52,13 +55,15 @@ bool inside(Parameters::Range range, scalar value)
 
 std::string entryText(const dictionary& dict, const word& key)
 {
-    std::ostringstream text;
+    const auto opens = [](const token& t)
+    { return t == token::BEGIN_LIST || t == token::BEGIN_SQR; };
+    const auto closes = [](const token& t) { return t == token::END_LIST || t == token::END_SQR; };
+    OStringStream text;
     const ITstream& tokens = dict.lookup(key);
-    for (const token& t : tokens)
+    forAll(tokens, i)
     {
-        OStringStream one;
-        one << t;
-        text << one.str() << ' ';
+        const bool close = i == 0 || opens(tokens[i - 1]) || closes(tokens[i]);
+        text << (close ? "" : " ") << tokens[i];
     }
     return text.str();
 }
@@ -100,13 +105,14 @@ void Parameters::require(const word& key, const char* wanted) const
     }
 }
 
-template<class T>
-T Parameters::read(const word& key, const char* wanted) const
+// OpenFOAM's complaint about a value, as one of ours.
+template<class Reader>
+auto Parameters::understood(const word& key, const std::string& wanted, Reader read) const
 {
     const bool throwing = FatalIOError.throwExceptions();
     try
     {
-        const T value = dict_.get<T>(key);
+        const auto value = read();
         FatalIOError.throwExceptions(throwing);
         return value;
     }
@@ -116,6 +122,12 @@ T Parameters::read(const word& key, const char* wanted) const
         throw InputError({"A value cannot be understood.", entryText(dict_, key), wanted,
             where(key), "Correct the value."});
     }
+}
+
+template<class T>
+T Parameters::read(const word& key, const char* wanted) const
+{
+    return understood(key, wanted, [&] { return dict_.get<T>(key); });
 }
 
 scalar Parameters::checked(const word& key, const char* unit, Range range, scalar value) const
@@ -139,6 +151,17 @@ scalar Parameters::number(const word& key, const char* unit, Range range) const
 scalar Parameters::number(const word& key, const char* unit, Range range, scalar byDefault) const
 {
     return has(key) ? number(key, unit, range) : byDefault;
+}
+
+scalar Parameters::quantity(
+    const word& key, const dimensionSet& dimensions, const char* unit, Range range) const
+{
+    require(key, describe(range));
+    OStringStream wanted;
+    wanted << dimensions << ", and " << describe(range);
+    const scalar value = understood(key, wanted.str(),
+        [&] { return dimensionedScalar(key, dimensions, dict_).value(); });
+    return checked(key, unit, range, value);
 }
 
 bool Parameters::flag(const word& key, bool byDefault) const
@@ -193,6 +216,12 @@ const dictionary& Parameters::sub(const word& key) const
     return dict_.subDict(key);
 }
 
+const dictionary& Parameters::group(const word& key) const
+{
+    require(key, "a group of keys in braces");
+    return sub(key);
+}
+
 void Parameters::allKnown() const
 {
     check(false);
@@ -207,11 +236,12 @@ void Parameters::check(bool groupsOnly) const
 {
     for (const word& key : dict_.toc())
     {
-        if (!known_.count(key) && (!groupsOnly || dict_.isDict(key)))
+        std::vector<std::string> valid(known_.begin(), known_.end());
+        valid.erase(std::remove(valid.begin(), valid.end(), "FoamFile"), valid.end());
+        if (!known_.count(key)
+            && (!groupsOnly || dict_.isDict(key) || !nearestName(key, valid).empty()))
         {
-            const std::vector<std::string> valid(known_.begin(), known_.end());
-            throw unknownName(groupsOnly ? "group of keys" : "key", key, valid,
-                nameOf(dict_));
+            throw unknownName("key", key, valid, nameOf(dict_));
         }
     }
 }

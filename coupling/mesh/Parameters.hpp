@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dictionary.H"
+#include "dimensionSet.H"
 #include "vector.H"
 
 #include <set>
@@ -32,6 +33,9 @@ public:
     Foam::scalar number(const Foam::word& key, const char* unit, Range range) const;
     Foam::scalar number(
         const Foam::word& key, const char* unit, Range range, Foam::scalar byDefault) const;
+    /// A number that may carry its dimensions, `[0 2 -1 0 0 0 0] 1e-5`, which must be these.
+    Foam::scalar quantity(const Foam::word& key, const Foam::dimensionSet& dimensions,
+        const char* unit, Range range) const;
     bool flag(const Foam::word& key, bool byDefault) const;
     Foam::word name(const Foam::word& key, const Foam::word& byDefault) const;
     Foam::string text(const Foam::word& key) const; ///< required
@@ -45,10 +49,14 @@ public:
     /// Sub-dictionary, empty if missing; its own keys are not checked here.
     const Foam::dictionary& sub(const Foam::word& key) const;
 
+    /// The same, but it must be there.
+    const Foam::dictionary& group(const Foam::word& key) const;
+
     /// Throws InputError for a key that was never asked for, with the nearest that was.
     void allKnown() const;
 
-    /// The same for sub-dictionaries only, where values may stand that others refer to ($name).
+    /// The same where values may stand that others refer to ($name): of these only one that looks
+    /// like a misspelt key is refused.
     void allGroupsKnown() const;
 
     /// A dictionary's file, below the folder the run was started in, and its place in the file.
@@ -58,6 +66,8 @@ public:
     std::string where(const Foam::word& key) const;
 
 private:
+    template<class Reader>
+    auto understood(const Foam::word& key, const std::string& wanted, Reader read) const;
     template<class T>
     T read(const Foam::word& key, const char* wanted) const;
     void check(bool groupsOnly) const;

@@ -3,6 +3,8 @@
 
 #include "findRefCell.H"
 #include "fvc.H"
+#include "IOdictionary.H"
+#include "StringStream.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -44,6 +46,35 @@ bool quietLoop(pimpleControl& pimple)
     return again;
 }
 
+template<class Field>
+void requireDimensions(const Field& field, const dimensionSet& wanted, const char* remedy)
+{
+    if (field.dimensions() != wanted)
+    {
+        OStringStream found;
+        found << field.dimensions();
+        OStringStream right;
+        right << wanted;
+        throw InputError({"A field has the wrong dimensions.", found.str(), right.str(),
+            field.instance() + "/" + field.name() + ", key dimensions", remedy});
+    }
+}
+
+// Tells what is wrong with the air before OpenFOAM stumbles over it.
+double checkedDensity(const volVectorField& U, const volScalarField& p)
+{
+    requireDimensions(U, dimVelocity, "U is the velocity of the air [m/s].");
+    requireDimensions(p, sqr(dimVelocity), "p is pressure over density of the air [m2/s2].");
+    const IOdictionary dict(IOobject("transportProperties", U.time().constant(), U.db(),
+        IOobject::MUST_READ, IOobject::NO_WRITE, false));
+    const Parameters transport(dict);
+    if (transport.name("transportModel", "Newtonian") == "Newtonian")
+    {
+        transport.quantity("nu", dimViscosity, "m2/s", Parameters::Range::positive);
+    }
+    return transport.quantity("rho", dimDensity, "kg/m3", Parameters::Range::positive);
+}
+
 void requireEuler(const fvMesh& mesh)
 {
     const word scheme(mesh.ddtScheme("ddt(U)"));
@@ -77,18 +108,12 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     source_(field("momentumSource", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
         dimensionedVector(dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
     fixedFlux_(givenFluxes(U_)),
+    density_(checkedDensity(U_, p_)),
     transport_(U_, phi_),
-    density_(dimensionedScalar("rho", dimDensity, transport_).value()),
     nu_("laminarViscosity", transport_.nu()),
     gravity_("gravityOnAir", dimAcceleration, transport_.lookupOrDefault<vector>("gravity", Zero)),
     turbulence_(Turbulence::New(alpha_, U_, alphaPhi_, phi_, transport_).ptr())
 {
-    if (density_ <= 0)
-    {
-        throw InputError({"The density of the air must be positive.", Foam::name(density_),
-            "rho [1 -3 0 0 0 0 0] 1.2;", "constant/transportProperties, key rho",
-            "Correct the value."});
-    }
     requireEuler(mesh);
     mesh.setFluxRequired(p_.name());
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);

@@ -79,8 +79,8 @@ private:
     Foam::volVectorField source_; ///< (K U_s + carry)/rho + sigma U_wall + alpha g [m/s2]
     Foam::surfaceScalarField fixedFlux_; ///< 1 where a boundary gives the flux
 
-    Foam::singlePhaseTransportModel transport_;
     double density_;
+    Foam::singlePhaseTransportModel transport_;
     Foam::volScalarField nu_;
     Foam::dimensionedVector gravity_; ///< of the air; zero unless asked for
     std::unique_ptr<Turbulence> turbulence_;

@@ -3,6 +3,7 @@
 
 #include "coupling/Interstice.hpp"
 
+#include "error.H"
 #include "sigFpe.H"
 #include "solverPerformance.H"
 
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <sstream>
 #include <thread>
 
 namespace interstice
@@ -58,6 +60,43 @@ bool allRanksHere()
     std::_Exit(1);
 }
 
+// OpenFOAM's own message, in the shape of ours.
+std::string told(const Foam::error& error)
+{
+    return error.message() + "\n    where   " + error.functionName();
+}
+
+std::string told(const Foam::IOerror& error)
+{
+    std::ostringstream text;
+    text << error.message() << "\n    where   " << error.ioFileName();
+    if (error.ioStartLineNumber() >= 0)
+    {
+        text << ", line " << error.ioStartLineNumber();
+    }
+    text << "\nCorrect the file.";
+    return text.str();
+}
+
+// What a number on the command line or in system/controlDict can make of a run.
+void requireDuration(const Time& time)
+{
+    const scalar start = time.startTime().value();
+    const scalar end = time.endTime().value();
+    if (!(end > start))
+    {
+        throw InputError({"A run must end after it starts.",
+            "endTime " + name(end) + " s", "more than the start, " + name(start) + " s",
+            "system/controlDict, key endTime", "Correct endTime, startTime or startFrom."});
+    }
+    if (!(time.deltaTValue() > 0))
+    {
+        throw InputError({"The time step must be positive.",
+            "deltaT " + name(time.deltaTValue()) + " s", "more than zero",
+            "system/controlDict, key deltaT", "Correct the value."});
+    }
+}
+
 } // namespace
 
 int Session::guard(Run run, int argc, char* argv[])
@@ -80,9 +119,20 @@ int Session::guard(Run run, int argc, char* argv[])
     {
         MPI_Init(nullptr, nullptr);
     }
+    // OpenFOAM's errors, too, are told once, by one rank.
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
     try
     {
         run(*args);
+    }
+    catch (const Foam::IOerror& error)
+    {
+        stop(told(error));
+    }
+    catch (const Foam::error& error)
+    {
+        stop(told(error));
     }
     catch (const InputError& error)
     {
@@ -115,6 +165,7 @@ Session::Session(argList& args)
             "command line", "Run decomposePar, then mpirun -np N demPimpleFoam -parallel."});
     }
     time_ = std::make_unique<Time>(Time::controlDictName, args);
+    requireDuration(*time_);
     mesh_ = std::make_unique<fvMesh>(
         IOobject(fvMesh::defaultRegion, time_->timeName(), *time_, IOobject::MUST_READ));
 }
