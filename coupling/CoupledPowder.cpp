@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/CoupledPowder.hpp"
 
-#include "coupling/RunFailure.hpp"
 #include "coupling/ScriptFiles.hpp"
 #include "coupling/TimeStepChoice.hpp"
 #include "coupling/dem/DemEngine.hpp"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace interstice
 {
@@ -81,7 +79,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     const IOdictionary dict(couplingProperties(mesh));
     const Parameters p(dict);
     hasAir_ = p.flag("air", true);
-    const dictionary& powder = p.sub("powder");
+    const dictionary& powder = p.group("powder");
     const double k = Parameters(powder).number(
         "coarseGraining", "", Parameters::Range::positive, 1);
 
@@ -103,6 +101,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     // The powder as it lies, so that the first d(alpha)/dt starts from it.
     moveSolids(0);
     placeParcels(0);
+    checkPowderInMesh();
     onMesh_->depositVolume();
     const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero));
@@ -169,28 +168,6 @@ void CoupledPowder::readSolids(const dictionary& dict)
                 std::make_unique<MovingSolid>(mesh_, name, surface, p.where("surface")));
             solidWalls_.push_back(wall);
         }
-    }
-}
-
-void CoupledPowder::checkScene() const
-{
-    const DemBox box = dem_->box();
-    const boundBox& cells = mesh_.bounds();
-    const boundBox powder(toFoam(box.low), toFoam(box.high));
-    if (!cells.overlaps(powder))
-    {
-        throw InputError({"Mesh and powder must share space.",
-            "LIGGGHTS' box and the mesh do not overlap", "overlapping boxes",
-            "create_box in the LIGGGHTS script; system/blockMeshDict",
-            "Check units (metres) and origin of both."});
-    }
-    const double diameter = 2*dem_->maximumRadius();
-    if (diameter > cmptMin(cells.span()) && onMesh_->box().period() == vector::zero)
-    {
-        throw InputError({"A particle must be smaller than the domain.",
-            "a diameter of " + std::to_string(diameter) + " m",
-            "less than " + std::to_string(cmptMin(cells.span())) + " m",
-            "particle radius in the LIGGGHTS script", "Check units (metres)."});
     }
 }
 
@@ -306,29 +283,8 @@ void CoupledPowder::fall()
     refreshState();
 }
 
-// Throws RunFailure on all ranks if a particle's position or velocity is no number.
-void CoupledPowder::checkParticles() const
-{
-    const ParticleView view = dem_->particles();
-    std::ostringstream found;
-    for (int i = 0; i < view.count && found.tellp() == 0; ++i)
-    {
-        const double* x = view.position[i];
-        const double* v = view.velocity[i];
-        if (!std::isfinite(x[0] + x[1] + x[2] + v[0] + v[1] + v[2]))
-        {
-            found << "particle " << view.id[i] << " on rank " << Pstream::myProcNo() << " at ("
-                  << x[0] << ' ' << x[1] << ' ' << x[2] << ") m, velocity (" << v[0] << ' ' << v[1]
-                  << ' ' << v[2] << ") m/s";
-        }
-    }
-    RunFailure::throwOnAllRanks(!found.str().empty(),
-        "A particle has a value that is no number.", found.str(), MPI_COMM_WORLD);
-}
-
 void CoupledPowder::refreshState()
 {
-    checkParticles();
     const ParticleView view = dem_->particles();
     state_.count = view.count;
     state_.position = view.position;
@@ -355,6 +311,8 @@ void CoupledPowder::refreshState()
     {
         state_.wallTravel[wall] = toFoam(dem_->wallPose(wall).translation);
     }
+    // Last, so that what is good can still be written.
+    checkParticles();
 }
 
 CoupledPowder::Traffic CoupledPowder::traffic() const

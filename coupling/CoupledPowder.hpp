@@ -80,6 +80,7 @@ private:
     void openDem(const Foam::dictionary& dict);
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;
+    void checkPowderInMesh() const;
     void moveSolids(double interval);
     void placeParcels(double interval);
     void advanceDem();

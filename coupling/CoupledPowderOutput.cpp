@@ -8,6 +8,8 @@
 
 #include "PstreamReduceOps.H"
 
+#include <cmath>
+
 namespace interstice
 {
 
@@ -50,18 +52,22 @@ void CoupledPowder::refreshForces()
 // The exchange is planned for where the particles are; the next step plans it anew.
 void CoupledPowder::writeCloud()
 {
-    std::vector<SearchPoint> points(state_.count);
-    std::vector<CloudParcel> own(state_.count);
+    std::vector<SearchPoint> points;
+    std::vector<CloudParcel> own;
     for (int i = 0; i < state_.count; ++i)
     {
         const double* x = state_.position[i];
         const double* v = state_.velocity[i];
         const Vec3 position = toVec3(onMesh_->box().wrap(vector(x[0], x[1], x[2])));
-        points[i] = {position, position};
-        own[i] = {position, {v[0], v[1], v[2]},
+        if (!std::isfinite(position[0] + position[1] + position[2]))
+        {
+            continue; // the last state of a run that failed has no place for it
+        }
+        points.push_back({position, position});
+        own.push_back({position, {v[0], v[1], v[2]},
             hasAir_ ? toVec3(state_.drag[i]) : Vec3{},
             hasAir_ ? toVec3(state_.pressureForce[i]) : Vec3{}, 2*state_.radius[i],
-            state_.mass[i], state_.id[i]};
+            state_.mass[i], state_.id[i]});
     }
     exchange_->plan(points, onMesh_->locator());
     writePowderCloud(mesh_, exchange_->toHandlers(own), exchange_->cells());

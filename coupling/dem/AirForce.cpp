@@ -13,7 +13,8 @@
 #include <update.h>
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <sstream>
 
 namespace interstice::dem
 {
@@ -163,6 +164,7 @@ void AirForce::act(long long step, double** external)
     {
         actOverClosingHalf(external);
     }
+    hold(external);
 }
 
 void AirForce::actOverWholeStep(double** external)
@@ -205,6 +207,50 @@ void AirForce::actOverClosingHalf(double** external)
             external[i][k] = drag + air[gasForce + k];
         }
     }
+}
+
+void AirForce::hold(double** external)
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        // Any sum with a value that is no number, or is infinite, is none either.
+        double sum = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+            sum += atom.v[i][k] + atom.f[i][k] + external[i][k];
+        }
+        if (std::isfinite(sum))
+        {
+            continue;
+        }
+        if (held_.empty())
+        {
+            describe(i, external[i]);
+        }
+        std::fill_n(atom.v[i], 3, 0.0);
+        std::fill_n(atom.omega[i], 3, 0.0);
+        std::fill_n(atom.f[i], 3, 0.0);
+        std::fill_n(atom.torque[i], 3, 0.0);
+        std::fill_n(external[i], 3, 0.0);
+        std::fill_n(air_->array_atom[i], static_cast<int>(columns), 0.0);
+    }
+}
+
+void AirForce::describe(int slot, const double* external)
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    const auto text = [](const double* x)
+    {
+        std::ostringstream words;
+        words << '(' << x[0] << ' ' << x[1] << ' ' << x[2] << ')';
+        return words.str();
+    };
+    std::ostringstream words;
+    words << "particle " << atom.tag[slot] << " at " << text(atom.x[slot]) << " m: velocity "
+          << text(atom.v[slot]) << " m/s, force of contacts and the script " << text(atom.f[slot])
+          << " N, of the air " << text(external) << " N";
+    held_ = words.str();
 }
 
 } // namespace interstice::dem

@@ -3,6 +3,8 @@
 
 #include "coupling/dem/DemEngine.hpp"
 
+#include <string>
+
 namespace LAMMPS_NS
 {
 class LAMMPS;
@@ -18,6 +20,9 @@ namespace interstice::dem
 /// The rows are a `fix property/atom`, so LIGGGHTS sorts them and sends them along with the
 /// particles. The forces enter through `fix external`, which must act after every other force,
 /// because the exact solution for drag needs the sum of the others.
+///
+/// A particle whose velocity or force is no number is held where it is, at rest: LIGGGHTS would end
+/// the program as soon as it looks up its neighbours, before anything could be written.
 class AirForce
 {
 public:
@@ -39,17 +44,26 @@ public:
     /// Ends the interval: from now on the air is at rest. Local.
     void end();
 
+    /// The first particle that had to be held, in words; empty if none had. Local.
+    const std::string& held() const
+    {
+        return held_;
+    }
+
 private:
     void defineForce();
     void act(long long step, double** external);
     void actOverWholeStep(double** external);
     void actOverClosingHalf(double** external);
+    void hold(double** external);
+    void describe(int slot, const double* external);
 
     LAMMPS_NS::LAMMPS& liggghts_;
     LAMMPS_NS::FixPropertyAtom* air_ = nullptr;
     LAMMPS_NS::FixExternal* force_ = nullptr;
     bool blowing_ = false;
     long long lastStep_ = 0;
+    std::string held_;
 };
 
 } // namespace interstice::dem

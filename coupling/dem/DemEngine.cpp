@@ -69,6 +69,7 @@ struct DemEngine::Implementation
     dem::LiggghtsInstance liggghts;
     dem::MeshWalls walls;
     std::unique_ptr<dem::AirForce> air;
+    std::string script; ///< the last one that ran
     bool upToDate = false; ///< no command has come since the last set-up
 };
 
@@ -82,6 +83,7 @@ DemEngine::~DemEngine() = default;
 void DemEngine::runScript(const std::string& path)
 {
     implementation_->liggghts.runScript(path);
+    implementation_->script = path;
     implementation_->upToDate = false;
 }
 
@@ -94,11 +96,12 @@ void DemEngine::command(const std::string& text)
 void DemEngine::couple()
 {
     assert(!implementation_->coupled());
-    const auto require = [](bool fulfilled, const char* rule, const char* remedy)
+    const auto require = [this](bool fulfilled, const char* rule, const char* remedy)
     {
         if (!fulfilled)
         {
-            throw InputError({rule, "nothing of the kind", "", "LIGGGHTS script", remedy});
+            throw InputError({rule, "nothing of the kind", "",
+                "LIGGGHTS script " + implementation_->script, remedy});
         }
     };
     require(hasBox(), "The DEM needs a box.", "Add create_box or read_restart.");
@@ -255,6 +258,11 @@ Vector3 DemEngine::impulse(int slot) const
 AirAction DemEngine::airAction(int slot) const
 {
     return implementation_->air->action(slot);
+}
+
+const std::string& DemEngine::heldParticle() const
+{
+    return implementation_->air->held();
 }
 
 double DemEngine::timeStep() const

@@ -155,6 +155,10 @@ public:
     /// for one that never met air. Local.
     AirAction airAction(int slot) const;
 
+    /// The first particle whose velocity or force was no number, with these, in words; empty if
+    /// there was none. It and all like it are held at rest from then on. Local.
+    const std::string& heldParticle() const;
+
     // Time
 
     double timeStep() const;   ///< [s]; local

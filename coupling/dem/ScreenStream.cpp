@@ -96,14 +96,27 @@ void ScreenStream::takeLine()
     }
     if (sawError_)
     {
-        std::fputs(line_.c_str(), stderr);
-        std::fflush(stderr);
+        passOn();
     }
     if (line_.find_first_not_of(" \t\n") != std::string::npos)
     {
         lastLine_ = line_;
     }
     line_.clear();
+}
+
+// LIGGGHTS prints an error twice, the second time with rubbish for the text, but the same place in
+// its code at the end: "(./src/file.cpp:line)".
+void ScreenStream::passOn()
+{
+    const std::size_t bracket = line_.rfind("(./src/");
+    const std::string place = bracket == std::string::npos ? "" : line_.substr(bracket);
+    if (place.empty() || place != errorPlace_)
+    {
+        std::fputs(line_.c_str(), stderr);
+        std::fflush(stderr);
+    }
+    errorPlace_ = place.empty() ? errorPlace_ : place;
 }
 
 LiggghtsAtWork::LiggghtsAtWork(ScreenStream& screen, const std::string& task)

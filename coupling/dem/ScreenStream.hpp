@@ -45,6 +45,7 @@ public:
 private:
     static ssize_t write(void* self, const char* text, std::size_t size);
     void takeLine();
+    void passOn();
 
     std::FILE* stream_ = nullptr;
     std::FILE* copy_ = nullptr;
@@ -54,6 +55,7 @@ private:
     std::string line_;     ///< being put together
     std::string lastLine_; ///< the one before it that was not empty
     bool sawError_ = false;
+    std::string errorPlace_; ///< the place in LIGGGHTS' code that the error names
 };
 
 /// Marks, while it lives, that LIGGGHTS is at work, and on what.

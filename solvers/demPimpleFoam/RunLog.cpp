@@ -119,6 +119,7 @@ void RunLog::write()
 
 void RunLog::lastGood()
 {
+    powder_.writeCloud();
     time_.writeNow();
     Info<< "The state at " << time_.value() << " s was written before stopping." << endl;
     table();

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What CoupledPowder refuses: scenes that make no sense, and values that are no number.
+#include "coupling/CoupledPowder.hpp"
+
+#include "coupling/RunFailure.hpp"
+#include "coupling/dem/DemEngine.hpp"
+#include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/laws/InputError.hpp"
+
+#include "PstreamReduceOps.H"
+
+#include <cmath>
+#include <sstream>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+vector toFoam(const Vec3& v)
+{
+    return vector(v[0], v[1], v[2]);
+}
+
+std::string metres(double length)
+{
+    std::ostringstream text;
+    text << length << " m";
+    return text.str();
+}
+
+} // namespace
+
+void CoupledPowder::checkScene() const
+{
+    const DemBox box = dem_->box();
+    const boundBox& cells = mesh_.bounds();
+    const boundBox powder(toFoam(box.low), toFoam(box.high));
+    if (!cells.overlaps(powder))
+    {
+        throw InputError({"Mesh and powder must share space.",
+            "LIGGGHTS' box and the mesh do not overlap", "overlapping boxes",
+            "create_box in the LIGGGHTS script; system/blockMeshDict",
+            "Check units (metres) and origin of both."});
+    }
+    const double diameter = 2*dem_->maximumRadius();
+    if (diameter > cmptMin(cells.span()) && onMesh_->box().period() == vector::zero)
+    {
+        throw InputError({"A particle must be smaller than the domain.",
+            "a diameter of " + metres(diameter), "less than " + metres(cmptMin(cells.span())),
+            "particle radius in the LIGGGHTS script", "Check units (metres)."});
+    }
+}
+
+void CoupledPowder::checkPowderInMesh() const
+{
+    const long long all = dem_->particleCount();
+    const label outside = returnReduce(label(exchange_->outside().size()), sumOp<label>());
+    if (all > 0 && outside == all)
+    {
+        throw InputError({"Mesh and powder must share space.",
+            "all " + std::to_string(all) + " particles outside the mesh",
+            "particles in the mesh, or none yet",
+            "the particles' places in the LIGGGHTS script; system/blockMeshDict",
+            "Check units (metres) and origin of both."});
+    }
+}
+
+// Throws RunFailure on all ranks if a particle's position, velocity or force is no number.
+void CoupledPowder::checkParticles() const
+{
+    std::string found = dem_->heldParticle();
+    const ParticleView view = dem_->particles();
+    for (int i = 0; i < view.count && found.empty(); ++i)
+    {
+        const double* x = view.position[i];
+        if (!std::isfinite(x[0] + x[1] + x[2]))
+        {
+            found = "particle " + std::to_string(view.id[i]) + ", its position";
+        }
+    }
+    if (!found.empty())
+    {
+        found += ", on rank " + std::to_string(Pstream::myProcNo());
+    }
+    RunFailure::throwOnAllRanks(!found.empty(), "A particle has a value that is no number.", found,
+        MPI_COMM_WORLD);
+}
+
+} // namespace interstice
