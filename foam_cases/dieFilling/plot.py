@@ -105,17 +105,17 @@ def filling(d):
         t = 1e3*ratio[:, 0]
         upper.plot(t, 100*ratio[:, 1], color=colour, lw=2)
         upper.annotate(f"{name}: {100*ratio[-1, 1]:.1f} %", (t[-1], 100*ratio[-1, 1]),
-                       xytext=(-4, 6), textcoords="offset points", ha="right", color=colour,
-                       fontweight="bold")
+                       xytext=(-4, 6 if ratio[-1, 1] < 0.85 else -18),
+                       textcoords="offset points", ha="right", color=colour,
+                       fontweight="bold", bbox=dict(facecolor="white", lw=0, pad=1))
         if flow is not None:
             lower.plot(1e3*flow[:, 0], 1e9*flow[:, 1], color=colour, lw=1.6)
     for at, text in stations(d):
         for axes in (upper, lower):
             axes.axvline(1e3*at, color="0.75", lw=0.8, zorder=0)
-        upper.annotate(text, (1e3*at, 1), xycoords=("data", "axes fraction"), rotation=90,
-                       xytext=(-3, -2), textcoords="offset points", ha="right", va="top",
-                       fontsize=8, color="0.45")
-    upper.set(ylabel="filling ratio [%]", ylim=(0, 112), xlim=(0, 1e3*d["endTime"]))
+        upper.annotate(text, (1e3*at, 1.01), xycoords=("data", "axes fraction"), rotation=12,
+                       ha="left", va="bottom", fontsize=8, color="0.45")
+    upper.set(ylabel="filling ratio [%]", ylim=(0, 105), xlim=(0, 1e3*d["endTime"]))
     lower.set(ylabel="powder into the die [mm³/s]", xlabel="time [ms]")
     lower.set_ylim(bottom=min(0, lower.get_ylim()[0]))
     save(fig, "filling.png")
