@@ -104,30 +104,36 @@ void MovingSolid::tabulate(const fileName& path, const std::string& where)
     table_.spacing = finest/2;
     table_.low = surface.bounds().min() - vector::one*coarsest;
     const vector high = surface.bounds().max() + vector::one*coarsest;
-    int count = 1;
     for (direction d = 0; d < 3; ++d)
     {
         table_.nodes[d] = 2 + static_cast<int>((high[d] - table_.low[d])/table_.spacing);
-        count *= table_.nodes[d];
     }
-    pointField nodes(count);
+    table_.distance.reserve(std::size_t(table_.nodes[0])*table_.nodes[1]*table_.nodes[2]);
+    // Layer by layer: the search needs thirty times the memory of what is kept.
+    for (int k = 0; k < table_.nodes[2]; ++k)
+    {
+        tabulateLayer(surface, k);
+    }
+}
+
+void MovingSolid::tabulateLayer(const triSurfaceMesh& surface, int k)
+{
+    pointField nodes(table_.nodes[0]*table_.nodes[1]);
     forAll(nodes, n)
     {
         const label i = n % table_.nodes[0];
-        const label j = (n/table_.nodes[0]) % table_.nodes[1];
-        const label k = n/(table_.nodes[0]*table_.nodes[1]);
+        const label j = n/table_.nodes[0];
         nodes[n] = table_.low + table_.spacing*vector(i, j, k);
     }
     List<pointIndexHit> nearest;
-    surface.findNearest(nodes, scalarField(count, GREAT), nearest);
+    surface.findNearest(nodes, scalarField(nodes.size(), GREAT), nearest);
     List<volumeType> side;
     surface.getVolumeType(nodes, side);
-    table_.distance.resize(count);
     forAll(nodes, n)
     {
         const scalar distance = mag(nearest[n].hitPoint() - nodes[n]);
-        table_.distance[n] =
-            static_cast<float>(side[n] == volumeType::INSIDE ? -distance : distance);
+        table_.distance.push_back(
+            static_cast<float>(side[n] == volumeType::INSIDE ? -distance : distance));
     }
 }
 

@@ -9,6 +9,11 @@
 #include <string>
 #include <vector>
 
+namespace Foam
+{
+class triSurfaceMesh;
+}
+
 namespace interstice
 {
 
@@ -19,7 +24,7 @@ namespace interstice
 /// the cell, continuous in the pose. Where cells are covered the air is held to the body's velocity
 /// by a resistance
 ///
-///     sigma = (stiffness^covered - 1)/dt                          [1/s]
+///     sigma = (stiffness^covered - 1)/holdTime                    [1/s]
 ///
 /// whose logarithm is linear in the covered fraction, so that nothing switches when the body
 /// creeps into a cell (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
@@ -54,6 +59,7 @@ private:
     };
 
     void tabulate(const Foam::fileName& surface, const std::string& where);
+    void tabulateLayer(const Foam::triSurfaceMesh& surface, int k);
 
     const Foam::fvMesh& mesh_;
     std::string name_;
