@@ -13,9 +13,12 @@ using namespace Foam;
 namespace
 {
 
-// Resistance of a covered cell relative to the air's inertia 1/dt: large enough that what leaks
-// through a wall is far below the minimum fluidisation velocity.
-constexpr scalar stiffness = 1e6;
+// A cell that is quite covered holds its air with stiffness/holdTime: so hard that what leaks through
+// a wall is far below the minimum fluidisation velocity. The time is a fixed one and not the time
+// step: a wall that creeps into a cell then stops the air there at the same pace, however short the
+// step, and the pressure that this takes converges.
+constexpr scalar stiffness = 1e8;
+constexpr scalar holdTime = 1e-3; // [s]
 
 } // namespace
 
@@ -41,7 +44,7 @@ void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
     velocity_.correctBoundaryConditions();
 }
 
-tmp<volScalarField> SolidsOnMesh::resistance(scalar dt) const
+tmp<volScalarField> SolidsOnMesh::resistance() const
 {
     auto field = tmp<volScalarField>::New(IOobject("solidResistance", mesh_.time().timeName(),
                                               mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
@@ -50,7 +53,7 @@ tmp<volScalarField> SolidsOnMesh::resistance(scalar dt) const
     scalarField& sigma = field.ref().primitiveFieldRef();
     forAll(sigma, celli)
     {
-        sigma[celli] = (std::pow(stiffness, covered_[celli]) - 1)/dt;
+        sigma[celli] = (std::pow(stiffness, covered_[celli]) - 1)/holdTime;
     }
     field.ref().correctBoundaryConditions();
     return field;

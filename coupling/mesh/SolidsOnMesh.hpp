@@ -23,9 +23,9 @@ public:
     const Foam::volScalarField& covered() const { return covered_; } ///< [0, 1]
     const Foam::volVectorField& velocity() const { return velocity_; } ///< [m/s]
 
-    /// Coefficient of the Brinkman force resistance (velocity - U), per mass of air [1/s], for a
-    /// time step dt: zero where nothing is covered. See MovingSolid.
-    Foam::tmp<Foam::volScalarField> resistance(Foam::scalar dt) const;
+    /// Coefficient of the Brinkman force resistance (velocity - U), per mass of air [1/s]:
+    /// zero where nothing is covered. See MovingSolid.
+    Foam::tmp<Foam::volScalarField> resistance() const;
 
 private:
     const Foam::fvMesh& mesh_;

@@ -142,7 +142,7 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     source_ = (powder.dragSource() + powder.carrySource())/rho + alpha_*gravity_;
     if (solids.any())
     {
-        const volScalarField hold(solids.resistance(mesh_.time().deltaTValue()));
+        const volScalarField hold(solids.resistance());
         resistance_ += hold;
         source_ += hold*solids.velocity();
     }
