@@ -3,6 +3,7 @@
 
 #include "coupling/Interstice.hpp"
 
+#include "OSspecific.H"
 #include "error.H"
 #include "sigFpe.H"
 #include "solverPerformance.H"
@@ -63,7 +64,7 @@ bool allRanksHere()
 // OpenFOAM's own message, in the shape of ours.
 std::string told(const Foam::error& error)
 {
-    return error.message() + "\n    where   " + error.functionName();
+    return error.message() + "\n    where   OpenFOAM, in " + error.functionName();
 }
 
 std::string told(const Foam::IOerror& error)
@@ -94,6 +95,17 @@ void requireDuration(const Time& time)
         throw InputError({"The time step must be positive.",
             "deltaT " + name(time.deltaTValue()) + " s", "more than zero",
             "system/controlDict, key deltaT", "Correct the value."});
+    }
+}
+
+void requireMesh(const Time& time)
+{
+    const word place = time.findInstance("polyMesh", "points", IOobject::READ_IF_PRESENT);
+    const fileName points = time.path()/place/"polyMesh"/"points";
+    if (!isFile(points))
+    {
+        throw InputError({"A case needs a mesh.", "no file " + points, "a mesh of OpenFOAM",
+            "constant/polyMesh", "Run blockMesh, and decomposePar for a run on several ranks."});
     }
 }
 
@@ -166,6 +178,7 @@ Session::Session(argList& args)
     }
     time_ = std::make_unique<Time>(Time::controlDictName, args);
     requireDuration(*time_);
+    requireMesh(*time_);
     mesh_ = std::make_unique<fvMesh>(
         IOobject(fvMesh::defaultRegion, time_->timeName(), *time_, IOobject::MUST_READ));
 }

@@ -88,9 +88,9 @@ files = [
     Mistake("no couplingProperties", (COUPLING, "", None), [COUPLING]),
     Mistake("no transportProperties", (TRANSPORT, "", None), [TRANSPORT]),
     Mistake("no field U", ("0/U", "", None), ["0/U"]),
-    Mistake("patch missing in p", ("0/p", "sides ", "side "), ["sides", "0/p"]),
+    Mistake("patch missing in p", ("0/p", "sides", "others"), ["sides", "0/p"]),
     Mistake("no mesh", [(f"constant/polyMesh/{name}", "", None) for name in
-                        ("points", "faces", "owner", "neighbour", "boundary")], ["polyMesh"]),
+                        ("points", "faces", "owner", "neighbour", "boundary")], ["A case needs a mesh", "constant/polyMesh", "blockMesh"]),
     coupling("no LIGGGHTS script", "powder.in", "powders.in", "powders.in", "script"),
     coupling("no surface of a solid", "block.stl", "blocks.stl", "blocks.stl", "key surface"),
     coupling("no parameters", "powderParameters", "powderParameter", "key parameters",
