@@ -25,7 +25,6 @@ namespace interstice
 ///     momentumBudget
 ///     {
 ///         type    momentumBudget;
-///         libs    ("libinterstice.so");
 ///     }
 ///
 /// Property       | Description                                   | Unit | Default
