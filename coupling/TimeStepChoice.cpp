@@ -153,7 +153,7 @@ void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
     }
 }
 
-double TimeStepChoice::largestStep(const Scene& scene)
+double TimeStepChoice::largestStep(const Scene& scene, double demStep)
 {
     double step = maxDeltaT_;
     binding_ = "maxDeltaT";
@@ -177,7 +177,8 @@ double TimeStepChoice::largestStep(const Scene& scene)
         }
         if (!first_)
         {
-            limit(1.2*time_.deltaTValue(), "growth");
+            // By at least one DEM step, or a step of one DEM step would stay so for ever.
+            limit(1.2*time_.deltaTValue() + demStep, "growth");
         }
     }
     if (scene.speed > 0)
@@ -243,7 +244,7 @@ void TimeStepChoice::choose(const Scene& scene, DemEngine& dem)
     if (adjust_)
     {
         const long steps =
-            std::max(1L, static_cast<long>(largestStep(scene)/demStep*(1 + 1e-9)));
+            std::max(1L, static_cast<long>(largestStep(scene, demStep)/demStep*(1 + 1e-9)));
         demSteps_ = alignWithOutput(steps, demStep);
     }
     else

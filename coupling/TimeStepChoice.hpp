@@ -18,7 +18,7 @@ class DemEngine;
 ///     response of the powder         couplingNumber tau_eff (sealed bed, numerics of the coupling)
 ///     travel of particles and walls  parcelCourant cells
 ///     largest step                   maxDeltaT              system/controlDict
-///     growth                         1.2 of the last step
+///     growth                         1.2 of the last step and one DEM step
 ///     output                         the next write time or the end
 /// Limits of the DEM step: Rayleigh and Hertz times (see laws/TimeScales.hpp), bounds of the case.
 class TimeStepChoice
@@ -62,7 +62,7 @@ private:
 
     DemLimits demLimits(const Scene& scene, const DemEngine& dem) const;
     void chooseDemStep(const Scene& scene, DemEngine& dem);
-    double largestStep(const Scene& scene);
+    double largestStep(const Scene& scene, double demStep);
     void refuseUnstable(const Scene& scene, double step) const;
     long alignWithOutput(long steps, double demStep);
 
