@@ -83,7 +83,6 @@ private:
     void checkPowderInMesh() const;
     void moveSolids(double interval);
     void placeParcels(double interval);
-    void advanceDem();
     void checkParticles() const;
     void refreshState();
     void refreshForces();

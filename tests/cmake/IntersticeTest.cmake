@@ -87,7 +87,7 @@ function(interstice_test name)
     endif()
 
     foreach(ranks IN LISTS test_RANKS)
-        set(folder "${PROJECT_BINARY_DIR}/tests/work/${name}.np${ranks}")
+        set(folder "${PROJECT_BINARY_DIR}/tests/runs/${name}.np${ranks}")
         file(MAKE_DIRECTORY "${folder}")
         set(arguments ${test_ARGUMENTS})
         if(test_CASE)
