@@ -204,10 +204,11 @@ void CoupledPowder::placeParcels(double interval)
         const double* x = view.position[i];
         const double* v = view.velocity[i];
         const vector now(x[0], x[1], x[2]);
-        const vector then = now + interval*vector(v[0], v[1], v[2]);
-        points[i] = {toVec3(box.wrap(then)), toVec3(box.wrap(now))};
+        const MovingSolid::Seen then =
+            solids_->outside(now + interval*vector(v[0], v[1], v[2]));
+        points[i] = {toVec3(box.wrap(then.position)), toVec3(box.wrap(now))};
         own[i] = {points[i].position, {v[0], v[1], v[2]}, dem_->impulse(i), 2*view.radius[i],
-            view.mass[i], view.id[i]};
+            view.mass[i], then.presence, view.id[i]};
     }
 
     std::vector<ParcelRecord> handled;
@@ -297,6 +298,8 @@ void CoupledPowder::refreshState()
     const PowderOnMesh::Report& report = onMesh_->report();
     state_.clippedVolume = report.floor.clipped;
     state_.movedVolume = report.floor.moved;
+    state_.hidden = report.hidden;
+    state_.hiddenVolume = report.hiddenVolume;
     state_.outside = returnReduce(label(exchange_->outside().size()), sumOp<label>());
     const long long before = state_.total;
     state_.total = dem_->particleCount();

@@ -38,6 +38,15 @@ struct RigidPose
         return {q[0] * r[0] + q[3] * r[1] + q[6] * r[2], q[1] * r[0] + q[4] * r[1] + q[7] * r[2],
             q[2] * r[0] + q[5] * r[1] + q[8] * r[2]};
     }
+
+    /// Where a point [m] of the reference place is now.
+    Vector fromReference(const Vector& point) const
+    {
+        const std::array<double, 9>& q = rotation;
+        return {q[0] * point[0] + q[1] * point[1] + q[2] * point[2] + translation[0],
+            q[3] * point[0] + q[4] * point[1] + q[5] * point[2] + translation[1],
+            q[6] * point[0] + q[7] * point[1] + q[8] * point[2] + translation[2]};
+    }
 };
 
 } // namespace interstice

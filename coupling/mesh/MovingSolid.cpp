@@ -165,6 +165,34 @@ scalar MovingSolid::DistanceTable::at(const vector& point) const
     return sum;
 }
 
+vector MovingSolid::DistanceTable::gradient(const vector& point) const
+{
+    vector slope;
+    for (direction d = 0; d < 3; ++d)
+    {
+        vector step(Zero);
+        step[d] = 0.5*spacing;
+        slope[d] = (at(point + step) - at(point - step))/spacing;
+    }
+    return slope;
+}
+
+MovingSolid::Seen MovingSolid::outside(const RigidPose& pose, const vector& point) const
+{
+    const RigidPose::Vector there = pose.toReference({point.x(), point.y(), point.z()});
+    const vector inBody(there[0], there[1], there[2]);
+    const scalar distance = table_.at(inBody);
+    if (distance >= 0)
+    {
+        return {point, 1};
+    }
+    const vector slope = table_.gradient(inBody);
+    const vector onSurface = inBody - distance*slope/max(mag(slope), SMALL);
+    const RigidPose::Vector here = pose.fromReference({onSurface.x(), onSurface.y(), onSurface.z()});
+    const scalar halfCell = table_.spacing;
+    return {vector(here[0], here[1], here[2]), max(1 + distance/halfCell, scalar(0))};
+}
+
 void MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
     volVectorField& velocity) const
 {

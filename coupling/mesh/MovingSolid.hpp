@@ -40,6 +40,17 @@ public:
 
     const std::string& name() const { return name_; }
 
+    /// A point as the air may see it.
+    struct Seen
+    {
+        Foam::vector position; ///< the point itself, or the nearest one on the surface [m]
+        Foam::scalar presence; ///< 1 outside; falls to 0 as the point sinks half a cell deep
+    };
+
+    /// What sinks into a body would move air that cannot move: it fades from the air's sight, and
+    /// meanwhile is seen on the surface. Local.
+    Seen outside(const RigidPose& pose, const Foam::vector& point) const;
+
     /// Adds this body at a pose to the covered fraction of each cell (largest body wins) and
     /// sets the wall velocity [m/s] where it covers something. Local.
     void cover(const RigidPose& pose, Foam::volScalarField& covered,
@@ -55,6 +66,7 @@ private:
         std::vector<float> distance;
 
         Foam::scalar at(const Foam::vector& point) const; ///< `far` outside the box
+        Foam::vector gradient(const Foam::vector& point) const; ///< inside the body
         static constexpr Foam::scalar far = 1e30;
     };
 

@@ -10,6 +10,21 @@ namespace interstice
 
 using namespace Foam;
 
+namespace
+{
+
+// A cell that is open less than this receives no powder. Half covered is where the surface of a solid
+// is; a particle that touches it from outside finds a cell that receives for this bound, and would
+// for none above one half.
+constexpr double leastOpen = 0.25;
+
+double receives(double open)
+{
+    return std::max(0.0, (open - leastOpen)/(1 - leastOpen));
+}
+
+} // namespace
+
 std::unique_ptr<DepositKernel> DepositKernel::New(const word& name, const fvMesh& mesh,
     const CellHalo& halo, const PeriodicBox& box, const std::string& where)
 {
@@ -62,7 +77,7 @@ ParticleWeights HatKernel::weigh(const pointField& positions, const std::vector<
         {
             const Hat& hat = hats_[cell];
             const vector x = box_.nearest(positions[i] - hat.centre);
-            const double share = open[cell]
+            const double share = receives(open[cell])
                 *std::max(0.0, 1 - std::abs(x.x())*hat.perWidth.x())
                 *std::max(0.0, 1 - std::abs(x.y())*hat.perWidth.y())
                 *std::max(0.0, 1 - std::abs(x.z())*hat.perWidth.z());
@@ -78,9 +93,6 @@ ParticleWeights HatKernel::weigh(const pointField& positions, const std::vector<
         {
             weights.cells.resize(weights.offsets.back());
             weights.shares.resize(weights.offsets.back());
-            weights.cells.push_back(cells[i]);
-            weights.shares.push_back(sum = 1);
-            ++weights.hidden;
         }
         for (std::size_t w = weights.offsets.back(); w < weights.shares.size(); ++w)
         {
@@ -92,7 +104,7 @@ ParticleWeights HatKernel::weigh(const pointField& positions, const std::vector<
 }
 
 ParticleWeights ParticleCentre::weigh(const pointField& positions, const std::vector<int>& cells,
-    const scalarList& open) const
+    const scalarList&) const
 {
     ParticleWeights weights;
     weights.offsets.resize(positions.size() + 1);
@@ -102,10 +114,6 @@ ParticleWeights ParticleCentre::weigh(const pointField& positions, const std::ve
     }
     weights.cells = cells;
     weights.shares.assign(cells.size(), 1.0);
-    for (const int cell : cells)
-    {
-        weights.hidden += open[cell] <= 0;
-    }
     return weights;
 }
 

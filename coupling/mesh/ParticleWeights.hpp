@@ -19,8 +19,9 @@ struct ParticleWeights
 {
     std::vector<int> offsets; ///< those of particle i: [offsets[i], offsets[i + 1])
     std::vector<int> cells; ///< compact index, see CellHalo
-    std::vector<double> shares; ///< >= 0, sum 1 for each particle
-    int hidden = 0; ///< particles all of whose cells are covered by a solid; they keep one cell
+    std::vector<double> shares; ///< >= 0; sum 1 for each particle that any cell receives
+
+    bool received(int i) const { return offsets[i + 1] > offsets[i]; }
 
     int count() const { return static_cast<int>(offsets.size()) - 1; }
 };
@@ -31,8 +32,9 @@ class DepositKernel
 public:
     virtual ~DepositKernel() = default;
 
-    /// `open`: uncovered fraction of each cell, own and ghosts (see MovingSolid); weights are
-    /// multiplied by it, so that no powder is seen inside a wall.
+    /// `open`: uncovered fraction of each cell, own and ghosts (see MovingSolid). A cell receives
+    /// less the more it is covered, and nothing beyond three quarters: its air can hardly move, and
+    /// powder that enters or leaves would raise pressures of any size.
     virtual ParticleWeights weigh(const Foam::pointField& positions,
         const std::vector<int>& cells, const Foam::scalarList& open) const = 0;
 

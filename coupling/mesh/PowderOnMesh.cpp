@@ -80,13 +80,34 @@ void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<
         positions[i] = toFoam(parcels_[i].position);
     }
     transfer_.place(positions, cells_, open_);
-    report_.hidden = returnReduce(transfer_.weights().hidden, sumOp<int>());
+    hide();
+}
+
+// What is inside solids, by the records; and what no cell receives.
+void PowderOnMesh::hide()
+{
+    int count = 0;
+    double volume = 0;
+    for (std::size_t i = 0; i < parcels_.size(); ++i)
+    {
+        ParcelRecord& parcel = parcels_[i];
+        if (!transfer_.weights().received(static_cast<int>(i)))
+        {
+            parcel.presence = 0;
+        }
+        const double hidden = 1 - parcel.presence;
+        count += hidden > 0;
+        volume += hidden*sphereVolume(parcel.diameter);
+    }
+    report_.hidden = returnReduce(count, sumOp<int>());
+    report_.hiddenVolume = returnReduce(volume, sumOp<double>());
 }
 
 void PowderOnMesh::depositVolume()
 {
     const List<Packed<1>> deposited = transfer_.deposit<1>(
-        [this](int i) { return Packed<1>(sphereVolume(parcels_[i].diameter)); });
+        [this](int i)
+        { return Packed<1>(parcels_[i].presence*sphereVolume(parcels_[i].diameter)); });
     scalarField solids(mesh_.nCells());
     forAll(solids, celli)
     {
@@ -142,7 +163,7 @@ double PowderOnMesh::dragOfShares(int parcel, const List<Packed<4>>& air, double
         const double b = uniform
             ? meanDrag
             : parcelDrag(parcels_[parcel], air[weights.cells[w]], density, viscosity);
-        dragShares_[w] = weights.shares[w]*b;
+        dragShares_[w] = parcels_[parcel].presence*weights.shares[w]*b;
         sum += dragShares_[w];
     }
     coefficients_[parcel] = sum;
@@ -170,7 +191,10 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
         const double alpha =
             dragOfShares(static_cast<int>(i), air, density, density*nu[cells_[i]]);
         effective_[i] = meanSlip(coefficients_[i]*interval/mass);
-        shortest = min(shortest, alpha*alpha*mass/coefficients_[i]);
+        if (coefficients_[i] > 0)
+        {
+            shortest = min(shortest, alpha*alpha*mass/coefficients_[i]);
+        }
     }
     report_.shortestResponse = returnReduce(shortest, minOp<double>());
 
@@ -180,7 +204,7 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
         {
             const ParcelRecord& p = parcels_[i];
             const double b = effective_[i]*dragShares_[w];
-            const double carried = -shares[w]/interval;
+            const double carried = -p.presence*shares[w]/interval;
             return Packed<7>{b, b*p.velocity[0], b*p.velocity[1], b*p.velocity[2],
                 carried*p.carry[0], carried*p.carry[1], carried*p.carry[2]};
         });
@@ -222,13 +246,14 @@ std::vector<GasRecord> PowderOnMesh::gasAtParcels(const volVectorField& U,
         }
         const ParcelRecord& p = parcels_[i];
         const double b = coefficients_[i];
-        const double volume = sphereVolume(p.diameter);
+        const double volume = p.presence*sphereVolume(p.diameter);
         gas[i].dragCoefficient = b;
         for (int d = 0; d < 3; ++d)
         {
-            gas[i].velocity[d] = drag[d]/b;
+            gas[i].velocity[d] = b > 0 ? drag[d]/b : 0;
             gas[i].force[d] = -volume*gradient[d];
-            gas[i].given[d] = effective_[i]*interval*(drag[d] - b*p.velocity[d]);
+            gas[i].given[d] = effective_[i]*interval*(drag[d] - b*p.velocity[d])
+                - (1 - p.presence)*p.carry[d];
         }
     }
     return gas;

@@ -14,11 +14,12 @@ namespace interstice
 /// What the mesh needs to know of a parcel.
 struct ParcelRecord
 {
-    Vec3 position; ///< at the end of the coming interval, predicted [m]
+    Vec3 position; ///< at the end of the coming interval, predicted; outside of solids [m]
     Vec3 velocity; ///< at its start [m/s]
     Vec3 carry; ///< momentum that drag gave it beyond what the air lost so far [N s]
     double diameter; ///< [m]
     double mass; ///< [kg]
+    double presence; ///< share that the air sees, 1 outside of solids
     int id;
 };
 
@@ -28,7 +29,8 @@ struct GasRecord
     Vec3 velocity; ///< interstitial [m/s]
     double dragCoefficient; ///< of the parcel [kg/s]
     Vec3 force; ///< -V grad(p) [N]
-    Vec3 given; ///< momentum that the air lost to it by drag in the interval [N s]
+    Vec3 given; ///< momentum that the air lost to it by drag in the interval, less the carry that
+                ///< it could not take from one inside a solid [N s]
 };
 
 /// The powder as fields on the mesh, and the air as values at the parcels.
@@ -52,7 +54,8 @@ public:
     struct Report
     {
         VoidFractionFloor::Report floor;
-        int hidden = 0; ///< parcels inside a solid
+        int hidden = 0; ///< parcels inside a solid, in whole or in part
+        double hiddenVolume = 0; ///< of them, not seen by the air [m3]
         double shortestResponse = 0; ///< smallest tau_eff = alpha^2 m/b of a parcel [s]
     };
 
@@ -95,6 +98,7 @@ public:
     const Report& report() const { return report_; }
 
 private:
+    void hide();
     double parcelDrag(const ParcelRecord& parcel, const Packed<4>& air, double density,
         double viscosity) const;
     double dragOfShares(int parcel, const Foam::List<Packed<4>>& air, double density,

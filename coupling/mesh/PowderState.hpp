@@ -53,6 +53,8 @@ public:
     Foam::vector stepImpulse = Foam::Zero; ///< given to the powder by drag [N s]
     Foam::scalar clippedVolume = 0; ///< of powder not seen by the air [m3]
     Foam::scalar movedVolume = 0; ///< handed to neighbour cells by the floor [m3]
+    Foam::scalar hiddenVolume = 0; ///< of powder inside solids, not seen by the air [m3]
+    int hidden = 0; ///< particles inside solids, at least in part
     long long total = 0; ///< particles
     long long outside = 0; ///< particles that no cell holds
     long long lost = 0; ///< particles gone from the simulation since the start

@@ -32,8 +32,20 @@ SolidsOnMesh::SolidsOnMesh(const fvMesh& mesh)
         dimensionedVector(dimVelocity, Zero), zeroGradientFvPatchVectorField::typeName)
 {}
 
+MovingSolid::Seen SolidsOnMesh::outside(const vector& point) const
+{
+    MovingSolid::Seen seen{point, 1};
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+    {
+        const MovingSolid::Seen next = solids_[i]->outside(poses_[i], seen.position);
+        seen = {next.position, min(seen.presence, next.presence)};
+    }
+    return seen;
+}
+
 void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
 {
+    poses_ = poses;
     covered_ = dimensionedScalar(dimless, Zero);
     velocity_ = dimensionedVector(dimVelocity, Zero);
     for (std::size_t i = 0; i < solids_.size(); ++i)

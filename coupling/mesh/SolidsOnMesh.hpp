@@ -20,6 +20,9 @@ public:
     /// Local. Poses in the order of solids().
     void move(const std::vector<RigidPose>& poses);
 
+    /// A point as the air may see it, at the poses of the last move(). Local.
+    MovingSolid::Seen outside(const Foam::vector& point) const;
+
     const Foam::volScalarField& covered() const { return covered_; } ///< [0, 1]
     const Foam::volVectorField& velocity() const { return velocity_; } ///< [m/s]
 
@@ -30,6 +33,7 @@ public:
 private:
     const Foam::fvMesh& mesh_;
     std::vector<std::unique_ptr<MovingSolid>> solids_;
+    std::vector<RigidPose> poses_;
     Foam::volScalarField covered_;
     Foam::volVectorField velocity_;
 };

@@ -187,7 +187,7 @@ def shot(axes, d, air, powder):
     axes.add_patch(Rectangle((low, -deep - thick), -low, deep + thick, **walls))
     axes.add_patch(Rectangle((length, -deep - thick), right - length, deep + thick, **walls))
     axes.add_patch(Rectangle((0, -deep - thick), length, thick, **walls))
-    height, wall = mm*d["zHigh"], mm*d["wallThickness"]
+    height, wall = mm*d["zHigh"], mm*d["shoeWallThickness"]
     for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
         axes.add_patch(Rectangle((mm*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **walls))
     axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal")

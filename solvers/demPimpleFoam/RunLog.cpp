@@ -85,6 +85,10 @@ void RunLog::step(const AirFlow::Report& air)
     {
         text += " | " + std::to_string(state.outside) + " outside the mesh";
     }
+    if (state.hidden)
+    {
+        text += " | " + std::to_string(state.hidden) + " inside a solid";
+    }
     if (state.lost)
     {
         text += " | " + std::to_string(state.lost) + " LOST";

@@ -27,9 +27,10 @@ STIFFNESS, HOLD_TIME = 1e8, 1e-3  # of the walls, SolidsOnMesh.cpp
 
 
 class Run:
-    """The moving shoe with a time step, on some ranks; what Bench prints of it."""
+    """The moving shoe with a time step, on some ranks; what Bench prints of it. `edit` may change
+    the case's folder before it runs."""
 
-    def __init__(self, bench, deltaT):
+    def __init__(self, bench, deltaT, edit=lambda folder: None):
         self.name = f"moving shoe, dt {1e6*deltaT:g} us"
         self.case = self
         self.folder = bench.work/f"dt{1e6*deltaT:g}"
@@ -40,6 +41,7 @@ class Run:
         cut = self.folder/"system/decomposeParDict"
         cut.write_text(cut.read_text().replace("2;", f"{bench.ranks};")
                        .replace("(2 ", f"({bench.ranks} "))
+        edit(self.folder)
         execute(self.folder, ["blockMesh"], "log.blockMesh")
         command = [bench.solver]
         if bench.ranks > 1:

@@ -31,7 +31,7 @@ PowderBalance::PowderBalance(const word& name, const Time& time, const dictionar
             "massMissing [kg]", "particles [-]", "outside [-]", "lost [-]",
             "momentumRemainderX [N s]", "momentumRemainderY [N s]", "momentumRemainderZ [N s]",
             "dragImpulseX [N s]", "dragImpulseY [N s]", "dragImpulseZ [N s]",
-            "clippedVolume [m3]", "movedVolume [m3]"})
+            "clippedVolume [m3]", "movedVolume [m3]", "hiddenVolume [m3]"})
 {
     read(dict);
 }
@@ -83,7 +83,7 @@ std::vector<double> PowderBalance::measure(const PowderState& powder)
     return {mass[inDie], mass[inShoe], mass[elsewhere], powder.initialMass, missing,
         double(powder.total), double(powder.outside), double(powder.lost),
         remainder.x(), remainder.y(), remainder.z(), impulse.x(), impulse.y(), impulse.z(),
-        powder.clippedVolume, powder.movedVolume};
+        powder.clippedVolume, powder.movedVolume, powder.hiddenVolume};
 }
 
 } // namespace interstice

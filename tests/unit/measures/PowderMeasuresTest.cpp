@@ -199,6 +199,7 @@ TEST_F(PowderBalanceTest, FindsEverySphereInOnePlace)
     powder.stepImpulse = vector(4, 5, 6);
     powder.clippedVolume = 7;
     powder.movedVolume = 8;
+    powder.hiddenVolume = 9;
     powder.wallTravel["shoe"] = vector(0.005, 0, 0);
 
     const auto balance = make<PowderBalance>(
@@ -212,7 +213,7 @@ TEST_F(PowderBalanceTest, FindsEverySphereInOnePlace)
     EXPECT_NEAR(v[4]/one, 1, 1e-12);
     EXPECT_NEAR((v[0] + v[1] + v[2] + v[4])/v[3], 1, 1e-15);
     EXPECT_EQ(std::vector<double>(v.begin() + 5, v.end()),
-        (std::vector<double>{20, 2, 1, 1, 2, 3, 4, 5, 6, 7, 8}));
+        (std::vector<double>{20, 2, 1, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
 class ForceNumberTest : public MeasureTest

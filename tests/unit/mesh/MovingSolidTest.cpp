@@ -198,6 +198,31 @@ TEST_F(MovingSolidTest, TurnsWithItsPose)
     EXPECT_EQ(isCovered(middle() + alongY), 1);
 }
 
+// Through the middle of a face and near a corner, in a body that is turned: what is outside stays,
+// what has sunk in by a part of a cell is seen on the face, and so much less.
+TEST_F(MovingSolidTest, ShowsWhatSinksIntoItOnItsSurfaceAndFading)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    const RigidPose pose = posed(middle(), vector(1, 1, 1), 0.7);
+    const double cell = std::cbrt(Foam::gMin(mesh().V()));
+    const auto here = [&](const vector& inBody)
+    {
+        const RigidPose::Vector p = pose.fromReference({inBody.x(), inBody.y(), inBody.z()});
+        return vector(p[0], p[1], p[2]);
+    };
+    for (const vector& across : {vector(0, 0.1e-3, 0.2e-3), vector(0, 0.3*side, -0.3*side)})
+    {
+        for (const double depth : {-1.0, -0.1, 0.1, 0.3, 0.8, 1.2})
+        {
+            const vector place(0.5*side - depth*cell, 0, 0);
+            const MovingSolid::Seen seen = solid.outside(pose, here(place + across));
+            EXPECT_NEAR(seen.presence, std::min(1.0, std::max(0.0, 1 - 2*depth)), 1e-3) << depth;
+            const vector expected(depth > 0 ? 0.5*side : place.x(), 0, 0);
+            EXPECT_LT(Foam::mag(seen.position - here(expected + across)), 1e-3*cell) << depth;
+        }
+    }
+}
+
 // v + w x r by hand, in every covered cell; the others keep what they had.
 TEST_F(MovingSolidTest, MovesTheAirWithTheVelocityOfThePose)
 {
