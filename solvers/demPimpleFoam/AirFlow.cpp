@@ -85,6 +85,17 @@ void requireEuler(const fvMesh& mesh)
     }
 }
 
+// The pressure equation takes convection and viscosity from the predicted velocity.
+void requirePredictor(const pimpleControl& pimple)
+{
+    if (!pimple.momentumPredictor())
+    {
+        throw InputError({"The velocity of the air must be predicted before its pressure is solved.",
+            "momentumPredictor off", "momentumPredictor on",
+            "system/fvSolution, PIMPLE, key momentumPredictor", "Set it on, or remove it."});
+    }
+}
+
 } // namespace
 
 AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
@@ -101,6 +112,8 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     alphaPhi_(field("alphaPhi", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
         fvc::flux(U_)),
     phi_(field("phi", mesh, IOobject::NO_READ, IOobject::NO_WRITE), alphaPhi_),
+    push_(field("push", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE), mesh,
+        dimensionedVector(dimAcceleration, Zero)),
     gradP_(field("pressureGradient", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
         dimensionedVector(dimAcceleration, Zero)),
     resistance_(field("resistance", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
@@ -115,6 +128,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     turbulence_(Turbulence::New(alpha_, U_, alphaPhi_, phi_, transport_).ptr())
 {
     requireEuler(mesh);
+    requirePredictor(pimple_);
     mesh.setFluxRequired(p_.name());
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     U_.oldTime();
@@ -157,9 +171,10 @@ void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     {
         fvVectorMatrix UEqn(inertia());
         predictVelocity(UEqn);
+        const volVectorField h(carried(UEqn));
         while (pimple_.correct())
         {
-            correctPressure(UEqn);
+            correctPressure(h);
         }
         if (pimple_.turbCorr())
         {

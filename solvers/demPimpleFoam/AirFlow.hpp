@@ -15,8 +15,9 @@ namespace interstice
 /// pressureEquation.cpp.
 ///
 /// Inertia and convection use the void fraction and flux of the step before, a pair that satisfies
-/// continuity exactly; so momentum is conserved to round-off, and a uniform velocity stays uniform,
-/// without outer iterations. Drag, pressure and continuity use the new void fraction.
+/// continuity exactly; and the pressure equation takes what convection and viscosity bring from the
+/// predicted velocity. So momentum is conserved to round-off, and a uniform velocity stays uniform,
+/// with one corrector and without outer iterations. Drag, pressure and continuity use the new void fraction.
 class AirFlow
 {
 public:
@@ -58,7 +59,8 @@ private:
     void begin(const PowderOnMesh& powder, const SolidsOnMesh& solids);
     Foam::fvVectorMatrix inertia();
     void predictVelocity(Foam::fvVectorMatrix& UEqn);
-    void correctPressure(const Foam::fvVectorMatrix& UEqn);
+    Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
+    void correctPressure(const Foam::volVectorField& carried);
     Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
     void finish();
     std::string badCell() const;
@@ -74,6 +76,7 @@ private:
     Foam::volScalarField ddtAlpha_; ///< of this step; its old value belongs to alphaPhi's
     Foam::surfaceScalarField alphaPhi_; ///< flux of alpha U
     Foam::surfaceScalarField phi_; ///< flux of U
+    Foam::volVectorField push_; ///< all forces of the last step: drag, pressure, gravity [m/s2]
     Foam::volVectorField gradP_; ///< pressure gradient that corrects U and moves particles
     Foam::volScalarField resistance_; ///< drag and solids, (K/rho + sigma) [1/s]
     Foam::volVectorField source_; ///< (K U_s + carry)/rho + sigma U_wall + alpha g [m/s2]

@@ -25,20 +25,24 @@ fvVectorMatrix AirFlow::inertia()
     );
 }
 
+// Where convection and viscosity will find the air, if it is pushed as in the last step. Not by the last
+// step's pressure gradient against the drag of this one: in a bed both are larger than what is left of
+// them by orders, and where the bed has just moved they no longer fit each other.
 void AirFlow::predictVelocity(fvVectorMatrix& UEqn)
 {
-    if (pimple_.momentumPredictor())
-    {
-        StageClock::Scope timed(clock_, Stage::momentum);
-        Foam::solve
-        (
-            UEqn
-          + fvm::Sp(resistance_, U_)
-         ==
-            source_
-          - alpha_*gradP_
-        );
-    }
+    StageClock::Scope timed(clock_, Stage::momentum);
+    Foam::solve(UEqn == push_);
+}
+
+// What a cell would have of alpha^n U/dt if nothing pushed it: its momentum of the step before, and what
+// convection and viscosity of the predicted velocity bring, as fluxes between cells that cancel in the
+// sum. With OpenFOAM's usual H(U), whose neighbours lag behind the cell itself, a closed box leaks
+// momentum until the correctors have converged.
+tmp<volVectorField> AirFlow::carried(const fvVectorMatrix& UEqn) const
+{
+    StageClock::Scope timed(clock_, Stage::momentum);
+    const volScalarField rate(alpha_.oldTime()/mesh_.time().deltaT());
+    return rate*U_ - (UEqn.A()*U_ - UEqn.H());
 }
 
 } // namespace interstice

@@ -37,12 +37,11 @@ tmp<surfaceScalarField> AirFlow::memoryOfFlux() const
 
 // With w = alpha U, the momentum of the air is (inertia + resistance) w = h + b - grad(p); across
 // faces its resistances act in series (see BedFaces.hpp).
-void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
+void AirFlow::correctPressure(const volVectorField& carried)
 {
     StageClock::Scope timed(clock_, Stage::pressure);
 
-    const volVectorField H(UEqn.H());
-    const volScalarField A(UEqn.A());
+    const volScalarField A(alpha_.oldTime()/mesh_.time().deltaT());
     const volScalarField inertia(A/sqr(alpha_));
     const volScalarField resistance(resistance_/sqr(alpha_));
     const volVectorField b(source_/alpha_);
@@ -51,7 +50,7 @@ void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
     const surfaceScalarField D(1/(inertiaf + bedFaces::inSeries(resistance)));
     const surfaceScalarField h
     (
-        (bedFaces::inSeries(volVectorField(H/alpha_)) & mesh_.Sf()) + memoryOfFlux()
+        (bedFaces::inSeries(volVectorField(carried/alpha_)) & mesh_.Sf()) + memoryOfFlux()
     );
     surfaceScalarField predicted
     (
@@ -88,8 +87,9 @@ void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
     }
 
     gradP_ = bedFaces::pressureGradient(alphaPhi_, h - inertiaf*alphaPhi_, resistance, b, fixedFlux_);
-    U_ = (H + source_ - alpha_*gradP_)/(A + resistance_);
+    U_ = (carried + source_ - alpha_*gradP_)/(A + resistance_);
     U_.correctBoundaryConditions();
+    push_ = A*U_ - carried;
 }
 
 } // namespace interstice

@@ -52,6 +52,8 @@ names = [
             ["slipp", "noSlip", "0/U"]),
     Mistake("unknown time scheme", ("system/fvSchemes", "Euler", "backward"),
             ["found   backward", "wanted  Euler", "fvSchemes"]),
+    Mistake("no predictor", ("system/fvSolution", "momentumPredictor yes", "momentumPredictor no"),
+            ["found   momentumPredictor off", "fvSolution"]),
     Mistake("unknown linear solver", ("system/fvSolution", "PCG", "PCGG"),
             ["PCGG", "GAMG", "fvSolution"]),
 ]

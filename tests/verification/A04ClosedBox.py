@@ -9,8 +9,9 @@ Two ends of the range: grains in air, where the air gives way, and in water, whe
 The air moves by implicit Euler steps, so with tau set by the air a step of tau/20 decays by
 ln(1.05)/0.05, 2.4 % too slowly, whatever the coupling does; the error halves with the step.
 
-Momentum is lost only where the equation of the air is left unsolved: by the correctors of a step,
-which are as many as it needs to be solved to round-off.
+Momentum is kept to round-off in every step, however stiff the drag, by the one corrector that all
+cases have. (With OpenFOAM's usual H(U) in the pressure equation, whose neighbours lag, a random cloud
+at 1000 tau gained 2 % of all momentum in a step until ten outer iterations had converged.)
 """
 import math
 import random
@@ -79,8 +80,8 @@ def verify(bench):
     if bench.ranks == 1:
         decay(bench, "air", 1/100, judged=True)
     for fluid in FLUIDS:
-        keepsMomentum(bench, fluid, 1/20, disorder=True, correctors=5)
-        keepsMomentum(bench, fluid, 1000, disorder=True, correctors=5, outer=10)
+        keepsMomentum(bench, fluid, 1/20, disorder=True)
+        keepsMomentum(bench, fluid, 1000, disorder=True)
         if bench.ranks == 1:
             run, slips = keepsMomentum(bench, fluid, 1000, disorder=False)
             bench.atLeast(run, "least slip, of the first", -1e-9,

@@ -80,7 +80,7 @@ class Case:
         self.writeInterval = None
         self.timeStep = ""
         self.pressureTolerance = 1e-12
-        self.correctors = 2
+        self.correctors = 1
         self.outer = 1
         self.slices = "z"
         self.processors = "* * *"

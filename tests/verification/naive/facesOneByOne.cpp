@@ -11,10 +11,11 @@ namespace interstice
 
 using namespace Foam;
 
-void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
+void AirFlow::correctPressure(const volVectorField& carried)
 {
-    const volScalarField mobility(1/(UEqn.A() + resistance_));
-    const volVectorField driven(mobility*(UEqn.H() + source_));
+    const volScalarField inertia(alpha_.oldTime()/mesh_.time().deltaT());
+    const volScalarField mobility(1/(inertia + resistance_));
+    const volVectorField driven(mobility*(carried + source_));
     const surfaceScalarField alphaf(fvc::interpolate(alpha_));
     const surfaceScalarField D(sqr(alphaf)*fvc::interpolate(mobility));
     const surfaceScalarField predicted(fixedFlux_*alphaf*fvc::flux(U_)
@@ -30,6 +31,7 @@ void AirFlow::correctPressure(const fvVectorMatrix& UEqn)
     gradP_ = fvc::grad(p_);
     U_ = driven - mobility*alpha_*gradP_;
     U_.correctBoundaryConditions();
+    push_ = inertia*U_ - carried;
 }
 
 } // namespace interstice
