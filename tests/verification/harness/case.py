@@ -63,8 +63,9 @@ class Case:
         self.box = box
         self.powder = powder or Powder()
         self.positions = []
-        self.velocity = (0.0, 0.0, 0.0)  # of the grains
-        self.motion = "free"  # or frozen, or tied: one rigid body that moves along z
+        self.velocity = (0.0, 0.0, 0.0)  # of the grains, or a function of a grain's position
+        self.motion = "free"  # or frozen; prescribed: each keeps its velocity; or tied: one rigid
+        # body that moves along z
         self.k = 1
         self.lawName = "GidaspowHuilin"
         self.gravity = (0.0, 0.0, 0.0)  # on the grains
@@ -156,6 +157,7 @@ class Case:
         motions = {
             "free": "fix integrate all nve/sphere",
             "frozen": "group moving subtract all all\nfix integrate moving nve/sphere",
+            "prescribed": "fix integrate all nve/noforce",
             "tied": "fix integrate all rigid single force 1 off off on torque 1 off off off"}
         return {
             "dem_boundary": " ".join(edges),
@@ -175,10 +177,11 @@ class Case:
         lines += ["", "Atoms", ""]
         lines += [f"{i} 1 {self.diameter:.15g} {self.powder.density:.15g} {spaced(x)}"
                   for i, x in enumerate(self.positions, 1)]
-        if any(self.velocity):
+        velocities = [self.velocity(x) if callable(self.velocity) else self.velocity
+                      for x in self.positions]
+        if any(map(any, velocities)):
             lines += ["", "Velocities", ""]
-            lines += [f"{i} {spaced(self.velocity)} 0 0 0"
-                      for i in range(1, len(self.positions) + 1)]
+            lines += [f"{i} {spaced(v)} 0 0 0" for i, v in enumerate(velocities, 1)]
         return "\n".join(lines) + "\n"
 
 
