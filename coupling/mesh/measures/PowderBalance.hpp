@@ -22,7 +22,7 @@ namespace interstice
 /// Columns, beside the masses [kg]: particles in the simulation, outside of every cell, and lost
 /// since the start; the momentum [N s] that drag gave to the powder and that the air will lose in
 /// the next step, and what drag gave in this step; powder [m3] that a full cell hid from the air
-/// (clipped) or handed to its neighbours (moved).
+/// (clipped) or handed to its neighbours (moved), and what is inside solids, unseen (hidden).
 ///
 /// Usage
 ///
