@@ -19,6 +19,8 @@ class Bench:
         self.ranks = ranks
         self.rows = []
         self.quiet = False
+        # A run that breaks off must not leave the results of an earlier one.
+        (self.work/"results.json").unlink(missing_ok=True)
         print(f"{'case':24s} {'quantity':44s} {'expected':>13s} {'measured':>13s} "
               f"{'error':>10s} {'allowed':>9s} {'ranks':>5s} {'s':>6s}")
 
