@@ -258,6 +258,12 @@ void CoupledPowder::fromAir(const volVectorField& U, const volVectorField& press
 {
     const double interval = mesh_.time().deltaTValue();
     std::vector<GasRecord> own(dem_->particles().count);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+        // Who is in no cell gets no air, and keeps what it has to give until it is back.
+        const Vec3 waiting = dem_->impulse(static_cast<int>(i));
+        own[i].given = {-waiting[0], -waiting[1], -waiting[2]};
+    }
     {
         StageClock::Scope timed(clock_, Stage::deposit);
         const std::vector<GasRecord> handled =
