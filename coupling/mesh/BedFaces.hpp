@@ -13,8 +13,8 @@ namespace interstice
 ///
 ///     (inertia + resistance) w = h + b - grad(p)
 ///
-/// with resistance = (K/rho + sigma)/alpha^2 of drag and solids, b = their sources (and gravity) over
-/// alpha, and all that is left (inertia, convection, viscosity) in h. Between two cell centres the
+/// with resistance = (K/rho + sigma)/alpha^2 of drag and solids, b = what each cell has for itself (their
+/// sources, gravity, convection, viscosity) over alpha, and the velocity of the step before in h. Between two cell centres the
 /// flux w is one and the two half cells resist one after the other, so face values are averages
 /// weighted by *their own* half lengths: resistances in series. Interpolating K U_s, A and alpha each
 /// by itself instead loses half a cell of bed at every free surface.

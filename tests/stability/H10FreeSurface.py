@@ -5,9 +5,12 @@ face: the free surface of a bed at its sharpest. Drag is nothing on one side and
 Interpolating drag, mobility and pressure gradient to that face one by one gives the cells at the surface
 a pressure gradient that is not theirs: half a cell of drag is lost at each surface, or the velocity there
 is thrown far above that in the bed. Ours must be exact in the bed up to its last layer, and nowhere more
-than 2 % above it. The pressure must fall from layer to layer of the bed, and rise nowhere by more than
-what the air loses and gains at its surfaces, rho times the squared velocity in the bed. The solvers with
-such naive choices must be seen to miss it.
+than 2 % above it. Before and behind the bed the velocity of the cells must be that of the flux, though
+convection throws the air from 1 to 2.5 of it within a cell. (With the kernel it is. Where deposit by
+centres has the void fraction jump over one face it strays from cell to cell by 12 %, which is shown: the
+cells' velocity is drawn to the flux only as hard as moving walls bear, H15.) The pressure must fall from
+layer to layer of the bed, and rise nowhere by more than what the air loses and gains at its surfaces,
+rho times the squared velocity in the bed. The solvers with such naive choices must be seen to miss it.
 """
 import math
 
@@ -19,8 +22,8 @@ VOID = 0.40
 TOLERANCE = 0.02
 
 
-def surface(name, steps, count):
-    case = bed(name, VOID, 2, steps, deposit="centre")
+def surface(name, steps, count, deposit="centre"):
+    case = bed(name, VOID, 2, steps, deposit=deposit)
     case.endTime = count*case.deltaT
     return case
 
@@ -28,6 +31,11 @@ def surface(name, steps, count):
 def overshoot(run):
     """Of the velocity, above that in the bed."""
     return max(run.layers("U"))*VOID/SPEED - 1
+
+
+def strayed(run):
+    """Velocity of the air times void fraction, off the flux that is the same everywhere."""
+    return max(abs(a*u/SPEED - 1) for a, u in zip(run.layers("voidFraction"), run.layers("U")))
 
 
 def drop(run):
@@ -54,11 +62,16 @@ def verify(bench):
         bench.atMost(run, "velocity in the bed, off U/alpha", TOLERANCE,
                      max(abs(u*VOID/SPEED - 1) for u in inBed))
 
+        bench.report(run, "1 + alpha u anywhere, off the flux", 1, 1 + strayed(run))
+
         p = run.pressureLayers()
         bench.atMost(run, "rise of pressure in the bed [Pa]", 0, max(rises(p[BED[0] - 1:BED[1] + 1])))
         bench.atMost(run, "rise of pressure anywhere, of rho u^2", 1,
                      max(rises(p))/(case.powder.air.density*(SPEED/VOID)**2))
         bench.near(run, "pressure drop, of the drag law's", 1, drop(run), EXACT)
+
+    run = bench.run(surface("surface, kernel", 0.98, 100, "kernel"), impulse=math.inf)
+    bench.atMost(run, "alpha u anywhere, off the flux", TOLERANCE, strayed(run))
 
     for choice, quantity, measure in (
             ("facesOneByOne", "must miss: pressure drop", lambda run: abs(drop(run) - 1)),

@@ -21,7 +21,7 @@ constexpr int timedOut = 124; // of timeout(1)
 
 Outcome runProbe(const std::string& way, int ranks)
 {
-    const std::string line = "timeout 10 " INTERSTICE_MPIEXEC " --oversubscribe -n "
+    const std::string line = "timeout 60 " INTERSTICE_MPIEXEC " --oversubscribe -n "
         + std::to_string(ranks) + " " INTERSTICE_PROBE " '" + way + "' 2>&1 >/dev/null";
     Outcome outcome;
     std::FILE* pipe = popen(line.c_str(), "r");
