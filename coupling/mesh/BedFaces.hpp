@@ -30,7 +30,7 @@ Foam::tmp<Foam::GeometricField<Type, Foam::fvsPatchField, Foam::surfaceMesh>> in
 ///
 /// On either side of a face the half-cell gradient is (h - inertia w)_face + b - resistance w with
 /// the side's own b and resistance: the face's gradient plus half the jump of the drag. The cell's
-/// gradient is reconstructed from those of its faces; beside a wall, from the drag alone. Used both
+/// gradient is reconstructed from those of its faces; beside a wall, from b and resistance alone. Used both
 /// to correct U and on the particles, so that a bed at rest feels no net force and the sum of both
 /// is conserved.
 ///
