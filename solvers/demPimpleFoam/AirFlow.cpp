@@ -25,6 +25,32 @@ IOobject field(const char* name, const fvMesh& mesh, IOobject::readOption read,
     return IOobject(name, mesh.time().timeName(), mesh, read, write);
 }
 
+template<class Field>
+void requireDimensions(const Field& field, const dimensionSet& wanted, const char* remedy)
+{
+    if (field.dimensions() != wanted)
+    {
+        OStringStream found;
+        found << field.dimensions();
+        OStringStream right;
+        right << wanted;
+        throw InputError({"A field has the wrong dimensions.", found.str(), right.str(),
+            field.instance() + "/" + field.name() + ", key dimensions", remedy});
+    }
+}
+
+// What pushes the air besides gravity, if the start time has a field of the name: a fan, a rotating
+// frame, a test with a made-up solution.
+volVectorField givenForce(const fvMesh& mesh)
+{
+    IOobject io(field("bodyForce", mesh, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE));
+    const bool given = io.typeHeaderOk<volVectorField>(true);
+    io.writeOpt() = given ? IOobject::AUTO_WRITE : IOobject::NO_WRITE; // for a run that goes on
+    const volVectorField force(io, mesh, dimensionedVector(dimAcceleration, Zero));
+    requireDimensions(force, dimAcceleration, "bodyForce is an acceleration of the air [m/s2].");
+    return force;
+}
+
 surfaceScalarField givenFluxes(const volVectorField& U)
 {
     surfaceScalarField given(IOobject("fixedFlux", U.time().timeName(), U.mesh()), U.mesh(),
@@ -44,20 +70,6 @@ bool quietLoop(pimpleControl& pimple)
     const bool again = pimple.loop();
     messageStream::level = level;
     return again;
-}
-
-template<class Field>
-void requireDimensions(const Field& field, const dimensionSet& wanted, const char* remedy)
-{
-    if (field.dimensions() != wanted)
-    {
-        OStringStream found;
-        found << field.dimensions();
-        OStringStream right;
-        right << wanted;
-        throw InputError({"A field has the wrong dimensions.", found.str(), right.str(),
-            field.instance() + "/" + field.name() + ", key dimensions", remedy});
-    }
 }
 
 // Tells what is wrong with the air before OpenFOAM stumbles over it.
@@ -125,6 +137,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     transport_(U_, phi_),
     nu_("laminarViscosity", transport_.nu()),
     gravity_("gravityOnAir", dimAcceleration, transport_.lookupOrDefault<vector>("gravity", Zero)),
+    bodyForce_(givenForce(mesh)),
     turbulence_(Turbulence::New(alpha_, U_, alphaPhi_, phi_, transport_).ptr())
 {
     requireEuler(mesh);
@@ -153,7 +166,7 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     ddtAlpha_ = (alpha_ - alpha_.oldTime())/mesh_.time().deltaT();
 
     resistance_ = powder.dragCoefficient()/rho;
-    source_ = (powder.dragSource() + powder.carrySource())/rho + alpha_*gravity_;
+    source_ = (powder.dragSource() + powder.carrySource())/rho + alpha_*(gravity_ + bodyForce_);
     if (solids.any())
     {
         const volScalarField hold(solids.resistance());

@@ -30,7 +30,7 @@ public:
         int pressureIterations = 0; ///< in this step
     };
 
-    /// Reads U, p and constant/transportProperties (nu, rho).
+    /// Reads U, p, bodyForce [m/s2] if there is one, and constant/transportProperties (nu, rho, gravity).
     AirFlow(Foam::fvMesh& mesh, StageClock& clock);
 
     double density() const { return density_; } ///< [kg/m3]
@@ -86,6 +86,7 @@ private:
     Foam::singlePhaseTransportModel transport_;
     Foam::volScalarField nu_;
     Foam::dimensionedVector gravity_; ///< of the air; zero unless asked for
+    Foam::volVectorField bodyForce_; ///< besides gravity; zero unless the case has such a field
     std::unique_ptr<Turbulence> turbulence_;
     Foam::label pRefCell_ = 0;
     Foam::scalar pRefValue_ = 0;
