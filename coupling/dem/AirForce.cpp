@@ -43,7 +43,7 @@ enum Column
 AirForce::AirForce(LAMMPS_NS::LAMMPS& liggghts) : liggghts_(liggghts)
 {
     std::string rows = std::string("fix ") + airId + " all property/atom " + airId
-        + " vector no no no";
+        + " vector yes no no"; // kept in restart files
     for (int column = 0; column < columns; ++column)
     {
         rows += " 0.0";

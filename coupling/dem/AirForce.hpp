@@ -18,7 +18,7 @@ namespace interstice::dem
 /// The air's forces inside LIGGGHTS: one row of numbers a particle, and a loop in every DEM step.
 ///
 /// The rows are a `fix property/atom`, so LIGGGHTS sorts them and sends them along with the
-/// particles. The forces enter through `fix external`, which must act after every other force,
+/// particles, and restart files keep them. The forces enter through `fix external`, which must act after every other force,
 /// because the exact solution for drag needs the sum of the others.
 ///
 /// A particle whose velocity or force is no number is held where it is, at rest: LIGGGHTS would end

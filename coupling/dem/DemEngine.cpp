@@ -95,6 +95,29 @@ void DemEngine::command(const std::string& text)
 
 void DemEngine::couple()
 {
+    prepare();
+    implementation_->setUp();
+}
+
+void DemEngine::couple(const DemClockAndWalls& before)
+{
+    if (stepsDone() != before.stepsDone)
+    {
+        throw InputError({"A run that goes on must read the particles of its checkpoint.",
+            "the script ends at DEM step " + std::to_string(stepsDone()),
+            "step " + std::to_string(before.stepsDone) + ", as in the checkpoint",
+            "LIGGGHTS script " + implementation_->script,
+            "Let the script begin with\n    if \"${resume} == 1\" then \"read_restart ${checkpoint}\" "
+            "else \"...\"\nand make particles, and run, only where resume is 0."});
+    }
+    prepare();
+    implementation_->liggghts.setClock(before.time, before.timeStep);
+    implementation_->setUp();
+    implementation_->walls.countFrom(before.walls);
+}
+
+void DemEngine::prepare()
+{
     assert(!implementation_->coupled());
     const auto require = [this](bool fulfilled, const char* rule, const char* remedy)
     {
@@ -114,7 +137,6 @@ void DemEngine::couple()
             "The DEM needs a time step.", "Add for example: timestep 1e-6");
 
     implementation_->air = std::make_unique<dem::AirForce>(implementation_->liggghts.lammps());
-    implementation_->setUp();
 }
 
 bool DemEngine::hasBox() const
@@ -337,6 +359,12 @@ void DemEngine::writeRestart(const std::string& path)
         implementation_->setUp();
         implementation_->setUp();
     }
+}
+
+DemClockAndWalls DemEngine::clockAndWalls() const
+{
+    return {stepsDone(), implementation_->liggghts.time(), timeStep(),
+            implementation_->walls.markers()};
 }
 
 void DemEngine::readRestart(const std::string& path)

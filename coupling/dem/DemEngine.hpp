@@ -74,6 +74,22 @@ using Triangle = std::array<Vector3, 3>;
 /// before the first one.
 using WallPose = RigidPose;
 
+/// One triangle of a mesh wall, by which its pose is known.
+struct WallMarker
+{
+    int number = 0;    ///< LIGGGHTS' number of it
+    Triangle atRest{}; ///< where it lay when recorded [m]
+};
+
+/// What a restart file of LIGGGHTS lacks.
+struct DemClockAndWalls
+{
+    long long stepsDone = 0; ///< LIGGGHTS' step counter
+    double time = 0;         ///< LIGGGHTS' `time`, on which moving walls may depend [s]
+    double timeStep = 0;     ///< [s]
+    std::map<std::string, WallMarker> walls;
+};
+
 /// LIGGGHTS, opened on a communicator, driven by an ordinary script and then by the air.
 ///
 /// Life: construct, runScript(), couple(), and then again and again: read particles(), give
@@ -114,6 +130,11 @@ public:
     /// records the reference position of the mesh walls, and sets LIGGGHTS up for running.
     /// Throws InputError if the script made no box, no integrator or gave no time step.
     void couple();
+
+    /// The same for a script that has read a restart file: clock, step and the walls' reference
+    /// positions are those of the run that wrote it. Throws InputError if the script has not read
+    /// this file, or if its walls have another shape.
+    void couple(const DemClockAndWalls& before);
 
     // What the script defined. Local, same answer on all ranks.
 
@@ -187,14 +208,18 @@ public:
     // Restart
 
     /// Writes a LIGGGHTS restart file and sets LIGGGHTS up anew: a run that reads the file
-    /// makes the same set-up, and only so both follow the same path. The air's state is not
-    /// in the file.
+    /// makes the same set-up, and only so both follow the same path. Drag impulses are in the file.
     void writeRestart(const std::string& path);
+
+    /// To be kept with the restart file. After couple(). Local.
+    DemClockAndWalls clockAndWalls() const;
 
     /// Reads a restart file (before any box exists). Throws InputError if it is missing.
     void readRestart(const std::string& path);
 
 private:
+    void prepare();
+
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

@@ -158,6 +158,12 @@ void LiggghtsInstance::setUp()
 {
     const LiggghtsAtWork guard(*screen_, "setting up the DEM");
     LAMMPS_NS::Update& update = *lammps_->update;
+    if (running_)
+    {
+        // init() would forget the time since the last set-up: a run that ends adds it, ours does not.
+        update.update_time();
+    }
+    running_ = true;
     firstStep_ = update.ntimestep;
     announceRun();
     update.nsteps = longestRun;
@@ -168,6 +174,21 @@ void LiggghtsInstance::setUp()
     lammps_->timer->barrier_start(TIME_LOOP);
 
     update.whichflag = 0;
+}
+
+double LiggghtsInstance::time() const
+{
+    const LAMMPS_NS::Update& update = *lammps_->update;
+    return update.atime + static_cast<double>(update.ntimestep - update.atimestep)*update.dt;
+}
+
+void LiggghtsInstance::setClock(double time, double timeStep)
+{
+    LAMMPS_NS::Update& update = *lammps_->update;
+    update.dt = timeStep;
+    update.timestep_set = true;
+    update.atime = time;
+    update.atimestep = update.ntimestep;
 }
 
 void LiggghtsInstance::goOn(long steps)

@@ -46,8 +46,14 @@ public:
     void command(const std::string& text);
 
     /// Prepares one endless run, as LIGGGHTS' `run` does before its first step: neighbour
-    /// lists, forces, output. Collective.
+    /// lists, forces, output. LIGGGHTS' clock goes on from the run before. Collective.
     void setUp();
+
+    /// LIGGGHTS' clock, which its variables know as `time` [s]. Local.
+    double time() const;
+
+    /// Sets the clock and the step [s] of a run that is resumed. Local, before setUp().
+    void setClock(double time, double timeStep);
 
     /// Goes on with that run. Collective. Not `run N pre no`: that would end the run, with a
     /// line of the thermo table, two reductions and a page of log in every coupling interval.
@@ -61,6 +67,7 @@ private:
     std::unique_ptr<ScreenStream> screen_;
     LAMMPS_NS::LAMMPS* lammps_ = nullptr;
     long long firstStep_ = 0;
+    bool running_ = false; ///< the endless run has begun
 };
 
 } // namespace interstice::dem

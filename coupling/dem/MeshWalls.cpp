@@ -74,6 +74,41 @@ void MeshWalls::record()
     }
 }
 
+std::map<std::string, WallMarker> MeshWalls::markers() const
+{
+    std::map<std::string, WallMarker> found;
+    for (const auto& [id, wall] : walls_)
+    {
+        found[id] = wall.marker;
+    }
+    return found;
+}
+
+void MeshWalls::countFrom(const std::map<std::string, WallMarker>& markers)
+{
+    for (auto& [id, wall] : walls_)
+    {
+        const auto before = markers.find(id);
+        const auto now = before == markers.end() ? wall.triangles.end()
+                                                 : wall.triangles.find(before->second.number);
+        if (now == wall.triangles.end() || !congruent(before->second.atRest, now->second))
+        {
+            throw InputError({"A run goes on with the walls that it began with.",
+                "mesh wall " + id + " has another shape, or is new", "",
+                "LIGGGHTS script, fix " + id, "Resume with the same surface files."});
+        }
+        const WallPose moved = rigidMotion(before->second.atRest, now->second, {});
+        for (auto& [number, triangle] : wall.triangles)
+        {
+            for (Vector3& node : triangle)
+            {
+                node = moved.toReference(node);
+            }
+        }
+        wall.marker = before->second;
+    }
+}
+
 MeshWalls::Wall MeshWalls::gather(LAMMPS_NS::FixMeshSurface& surface) const
 {
     LAMMPS_NS::TriMesh& mesh = *surface.triMesh();
@@ -103,27 +138,24 @@ MeshWalls::Wall MeshWalls::gather(LAMMPS_NS::FixMeshSurface& surface) const
         communicator_);
 
     // By number, so that the answer does not depend on the ranks.
-    std::map<int, Triangle> byNumber;
+    Wall wall;
     for (std::size_t at = 0; at < all.size(); at += recordSize)
     {
-        Triangle& triangle = byNumber[static_cast<int>(all[at])];
+        Triangle& triangle = wall.triangles[static_cast<int>(all[at])];
         for (int j = 0; j < 3; ++j)
         {
             std::copy_n(all.data() + at + 1 + 3*j, 3, triangle[j].begin());
         }
     }
 
-    Wall wall;
     double largest = 0;
-    for (const auto& [number, triangle] : byNumber)
+    for (const auto& [number, triangle] : wall.triangles)
     {
-        wall.triangles.push_back(triangle);
         const double area = areaOf(triangle);
         if (area > largest)
         {
             largest = area;
-            wall.marker = number;
-            wall.markerAtRest = triangle;
+            wall.marker = {number, triangle};
         }
     }
     return wall;
@@ -141,9 +173,14 @@ const MeshWalls::Wall& MeshWalls::wall(const std::string& id) const
     return found->second;
 }
 
-const std::vector<Triangle>& MeshWalls::triangles(const std::string& id) const
+std::vector<Triangle> MeshWalls::triangles(const std::string& id) const
 {
-    return wall(id).triangles;
+    std::vector<Triangle> all;
+    for (const auto& [number, triangle] : wall(id).triangles)
+    {
+        all.push_back(triangle);
+    }
+    return all;
 }
 
 WallPose MeshWalls::pose(const std::string& id) const
@@ -159,7 +196,7 @@ WallPose MeshWalls::pose(const std::string& id) const
     std::array<double, 19> mine{};
     for (int i = 0; i < mesh.sizeLocal(); ++i)
     {
-        if (mesh.id(i) == known.marker)
+        if (mesh.id(i) == known.marker.number)
         {
             mine[0] += 1;
             for (int j = 0; j < 3; ++j)
@@ -189,7 +226,7 @@ WallPose MeshWalls::pose(const std::string& id) const
         std::copy_n(&all[1 + 3*j], 3, nodes[j].begin());
         std::copy_n(&all[10 + 3*j], 3, velocities[j].begin());
     }
-    return rigidMotion(known.markerAtRest, nodes, velocities);
+    return rigidMotion(known.marker.atRest, nodes, velocities);
 }
 
 } // namespace interstice::dem

@@ -24,11 +24,18 @@ public:
     /// Records walls not yet known, where they are. Collective, after LIGGGHTS was set up.
     void record();
 
+    /// The largest triangle of each wall, as it lay when recorded. Local.
+    std::map<std::string, WallMarker> markers() const;
+
+    /// From now on poses count from where the walls lay in a run before, not from where they were
+    /// recorded. Throws InputError if a marker is not the same triangle. Collective, after record().
+    void countFrom(const std::map<std::string, WallMarker>& markers);
+
     /// In the order of the script. Local.
     std::vector<std::string> ids() const;
 
     /// As they lay when recorded. Collective for the error's sake only.
-    const std::vector<Triangle>& triangles(const std::string& id) const;
+    std::vector<Triangle> triangles(const std::string& id) const;
 
     /// Collective.
     WallPose pose(const std::string& id) const;
@@ -36,9 +43,8 @@ public:
 private:
     struct Wall
     {
-        std::vector<Triangle> triangles; ///< all, by LIGGGHTS' number of the triangle
-        int marker = 0;                  ///< number of the largest
-        Triangle markerAtRest{};
+        std::map<int, Triangle> triangles; ///< all, by LIGGGHTS' number
+        WallMarker marker;               ///< the largest
     };
 
     std::vector<LAMMPS_NS::FixMeshSurface*> surfaces() const;

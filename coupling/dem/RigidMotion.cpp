@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 namespace interstice::dem
 {
 
@@ -50,6 +52,21 @@ Eigen::Vector3d spinOf(const Triangle& triangle, const Triangle& velocities)
 }
 
 } // namespace
+
+bool congruent(const Triangle& a, const Triangle& b)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        const int j = (i + 1) % 3;
+        const double one = (vectorOf(a[j]) - vectorOf(a[i])).norm();
+        const double other = (vectorOf(b[j]) - vectorOf(b[i])).norm();
+        if (std::abs(one - other) > 1e-6*one)
+        {
+            return false;
+        }
+    }
+    return true;
+}
 
 double areaOf(const Triangle& triangle)
 {

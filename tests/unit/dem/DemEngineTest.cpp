@@ -204,6 +204,85 @@ TEST(DemEngine, GoesOnFromARestartFileBitForBit)
     EXPECT_TRUE(everyGrain(again) == everyGrain(*dem));
 }
 
+// x = 0.5 a t^2 of a wall whose speed is a t, whatever set-ups there are on the way: 2e-3 m after 20 ms
+// at 10 m/s2. A clock that begins again at a set-up would leave it short.
+TEST(DemEngine, KeepsLiggghtsClockThroughSetUps)
+{
+    const auto dem = coupledScene("bed.in");
+    dem->command("unfix slide");
+    dem->command("variable none equal 0");
+    dem->command("variable speed equal 10*time");
+    dem->command("fix slide all move/mesh mesh floor linear/variable v_speed v_none v_none");
+    dem->advance(500);
+    dem->command("variable nothing equal 1");
+    dem->advance(500);
+    dem->writeRestart("clock.restart");
+    dem->advance(500);
+    dem->setTimeStep(5e-6);
+    dem->advance(1000);
+
+    EXPECT_NEAR(dem->clockAndWalls().time, 0.02, 1e-12);
+    EXPECT_NEAR(dem->wallPose("floor").translation[0], 2e-3, 2e-6);
+}
+
+// A run that is resumed counts poses from where the walls began, with LIGGGHTS' clock and step.
+TEST(DemEngine, ResumesWallsClockAndDragImpulses)
+{
+    const auto dem = coupledScene("bed.in");
+    dem->advance(200);
+    dem->setTimeStep(5e-6);
+    dem->advance(100);
+    if (dem->particles().count > 0)
+    {
+        dem->setGas(0, {{1, 2, 3}, 1e-6, {}}, {1e-9, 0, 0});
+    }
+    dem->advance(100);
+    dem->writeRestart("resumed.restart");
+    const DemClockAndWalls before = dem->clockAndWalls();
+    std::map<int, Vector3> impulses;
+    for (int i = 0; i < dem->particles().count; ++i)
+    {
+        impulses[dem->particles().id[i]] = dem->impulse(i);
+    }
+    dem->advance(100);
+
+    DemEngine again(MPI_COMM_WORLD, optionsFor({{"checkpoint", "resumed.restart"}}));
+    again.runScript(script("bedFromRestart.in"));
+    again.couple(before);
+    for (int i = 0; i < again.particles().count; ++i)
+    {
+        EXPECT_EQ(again.impulse(i), impulses[again.particles().id[i]]);
+    }
+    again.advance(100);
+
+    EXPECT_EQ(again.timeStep(), 5e-6);
+    EXPECT_EQ(again.clockAndWalls().time, dem->clockAndWalls().time);
+    EXPECT_TRUE(everyGrain(again) == everyGrain(*dem));
+    for (const char* wall : {"floor", "paddle"})
+    {
+        EXPECT_EQ(again.wallPose(wall).translation, dem->wallPose(wall).translation);
+        EXPECT_NEAR(again.wallTriangles(wall)[5][1][0], dem->wallTriangles(wall)[5][1][0], 1e-15);
+    }
+}
+
+TEST(DemEngine, RefusesToResumeWithoutTheCheckpointOrWithOtherWalls)
+{
+    const auto dem = coupledScene("bed.in");
+    dem->advance(10);
+    dem->writeRestart("refused.restart");
+    const DemClockAndWalls before = dem->clockAndWalls();
+    {
+        DemEngine again(MPI_COMM_WORLD, optionsFor());
+        again.runScript(script("bed.in"));
+        EXPECT_THROW(again.couple(before), InputError);
+    }
+    DemClockAndWalls other = before;
+    other.walls["floor"].atRest[0][0] -= 1e-3;
+    DemEngine again(MPI_COMM_WORLD, optionsFor({{"checkpoint", "refused.restart"}}));
+    again.runScript(script("bedFromRestart.in"));
+    EXPECT_THROW(again.couple(other), InputError);
+}
+
 TEST(DemEngine, NamesAScriptThatIsMissing)
 {
     DemEngine dem(MPI_COMM_WORLD, optionsFor());
