@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/CoupledPowder.hpp"
 
+#include "coupling/Checkpoint.hpp"
 #include "coupling/ScriptFiles.hpp"
 #include "coupling/TimeStepChoice.hpp"
 #include "coupling/dem/DemEngine.hpp"
@@ -80,19 +81,20 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     const Parameters p(dict);
     hasAir_ = p.flag("air", true);
     const dictionary& powder = p.group("powder");
-    const double k = Parameters(powder).number(
+    coarseGraining_ = Parameters(powder).number(
         "coarseGraining", "", Parameters::Range::positive, 1);
 
     onMesh_ = std::make_unique<PowderOnMesh>(
-        mesh, meshSettings(p.sub("voidFraction"), k), dragLaw(p.sub("drag")));
+        mesh, meshSettings(p.sub("voidFraction"), coarseGraining_), dragLaw(p.sub("drag")));
     solids_ = std::make_unique<SolidsOnMesh>(mesh);
     timeStep_ = std::make_unique<TimeStepChoice>(
         const_cast<Time&>(mesh.time()), p.sub("timeStep"));
     exchange_ = std::make_unique<ParticleExchange>(MPI_COMM_WORLD, onMesh_->locator().bounds());
 
+    const std::optional<Checkpoint> before = checkpoint();
     {
         StageClock::Scope timed(clock_, Stage::dem);
-        openDem(powder);
+        openDem(powder, before ? &*before : nullptr);
     }
     readSolids(p.sub("solids"));
     p.allGroupsKnown();
@@ -106,25 +108,25 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero));
     onMesh_->depositDrag(atRest, density_, nu, mesh.time().deltaTValue());
+    response_ = onMesh_->report().shortestResponse;
     refreshState();
-    state_.initialMass = 0;
-    for (int i = 0; i < state_.count; ++i)
+    state_.initialMass = record().mass;
+    if (before)
     {
-        state_.initialMass += state_.mass[i];
+        resume(*before);
     }
-    reduce(state_.initialMass, sumOp<scalar>());
 }
 
 CoupledPowder::~CoupledPowder() = default;
 
-void CoupledPowder::openDem(const dictionary& dict)
+void CoupledPowder::openDem(const dictionary& dict, const Checkpoint* before)
 {
     const Parameters p(dict);
     p.number("coarseGraining", "", Parameters::Range::positive, 1);
     const fileName script = findScript(p.text("script"), mesh_.time(), p.where("script"));
     DemOptions options;
-    options.logFile = "log.liggghts";
-    options.screenFile = "log.liggghts.screen";
+    options.logFile = before ? "log.liggghts." + mesh_.time().timeName() : "log.liggghts";
+    options.screenFile = options.logFile + ".screen";
     if (p.has("parameters"))
     {
         options.variables =
@@ -135,10 +137,19 @@ void CoupledPowder::openDem(const dictionary& dict)
     options.variables["case"] = mesh_.time().globalPath();
     options.variables["scripts"] = script.path();
     options.variables["ranks"] = Foam::name(Pstream::nProcs());
+    options.variables["resume"] = before ? "1" : "0";
+    options.variables["checkpoint"] = before ? Checkpoint::particlesOf(mesh_.time()) : "none";
 
     dem_ = std::make_unique<DemEngine>(MPI_COMM_WORLD, options);
     dem_->runScript(script);
-    dem_->couple();
+    if (before)
+    {
+        dem_->couple(before->dem);
+    }
+    else
+    {
+        dem_->couple();
+    }
     if (wantsWalls && !dem_->hasWalls())
     {
         throw InputError({"Powder needs walls to rest on.", "no fix wall/gran in " + script,
@@ -225,7 +236,7 @@ void CoupledPowder::chooseTimeStep(double courant)
     TimeStepChoice::Scene scene;
     scene.air = hasAir_;
     scene.courant = courant;
-    scene.response = onMesh_->report().shortestResponse;
+    scene.response = response_;
     scene.radius = dem_->minimumRadius();
     scene.cell = std::cbrt(gMin(mesh_.V()));
     scene.speed = dem_->maximumSpeed();
@@ -251,6 +262,7 @@ void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
     placeParcels(interval);
     onMesh_->depositVolume();
     onMesh_->depositDrag(U, density_, nu, interval);
+    response_ = onMesh_->report().shortestResponse;
     clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
 }
 

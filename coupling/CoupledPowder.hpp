@@ -7,10 +7,12 @@
 #include "coupling/report/StageClock.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace interstice
 {
 
+struct Checkpoint;
 class DemEngine;
 class ParticleExchange;
 class TimeStepChoice;
@@ -32,13 +34,21 @@ class TimeStepChoice;
 class CoupledPowder
 {
 public:
-    /// Opens LIGGGHTS, runs the case's script and deposits the powder as it lies, in air at rest.
+    /// Opens LIGGGHTS, runs the case's script and deposits the powder as it lies, in air at rest. If
+    /// the folder of the start time has a checkpoint, the script reads the particles from it.
     /// `density` [kg/m3] and kinematic viscosity `nu` of the air.
     CoupledPowder(Foam::fvMesh& mesh, double density, const Foam::volScalarField& nu,
         StageClock& clock);
     ~CoupledPowder();
     CoupledPowder(const CoupledPowder&) = delete;
     CoupledPowder& operator=(const CoupledPowder&) = delete;
+
+    /// To be called before the clock looks for the latest time: renames time folders of `casePath` (of this
+    /// rank: processorN) that a kill has torn to `<time>.incomplete`. Returns their times.
+    static Foam::wordList setAsideIncomplete(const Foam::fileName& casePath);
+
+    /// True: the run goes on from a checkpoint.
+    bool resumed() const { return resumed_; }
 
     /// False: no air is simulated and the powder falls freely (`air off`).
     bool hasAir() const { return hasAir_; }
@@ -76,8 +86,18 @@ public:
     /// time. Particles that no cell holds are left out.
     void writeCloud();
 
+    /// Whether fields and particles are to be written now. Local, same on all ranks.
+    bool outputDue() const;
+
+    /// Around writing the fields of a time: the particles, and the record that all is written.
+    void beginCheckpoint();
+    void completeCheckpoint();
+
 private:
-    void openDem(const Foam::dictionary& dict);
+    void openDem(const Foam::dictionary& dict, const Checkpoint* before);
+    std::optional<Checkpoint> checkpoint() const;
+    void resume(const Checkpoint& before);
+    Checkpoint record() const;
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;
     void checkPowderInMesh() const;
@@ -91,6 +111,10 @@ private:
     StageClock& clock_;
     double density_;
     bool hasAir_ = true;
+    bool resumed_ = false;
+    double coarseGraining_ = 1;
+    std::unique_ptr<Checkpoint> pending_; // begun, not complete
+    double response_ = 0; // shortest tau_eff, as the last step had it [s]
     std::unique_ptr<DemEngine> dem_;
     std::unique_ptr<PowderOnMesh> onMesh_;
     std::unique_ptr<SolidsOnMesh> solids_;

@@ -39,7 +39,8 @@ double roundedDown(double step)
 
 TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
 :
-    time_(time)
+    time_(time),
+    start_(time.startTime().value())
 {
     using Range = Parameters::Range;
     const Parameters p(dict);
@@ -59,7 +60,37 @@ TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
     adjust_ = control.flag("adjustTimeStep", true);
     maxCo_ = control.number("maxCo", "", Range::positive, 1);
     maxDeltaT_ = control.number("maxDeltaT", "s", Range::positive, GREAT);
-    control.number("writeInterval", "", Range::positive, 1);
+    const double interval = control.number("writeInterval", "", Range::positive, 1);
+    const word writeControl = time.controlDict().getOrDefault<word>("writeControl", "timeStep");
+    if (writeControl == "runTime" || writeControl == "adjustable"
+        || writeControl == "adjustableRunTime")
+    {
+        writeInterval_ = interval;
+    }
+}
+
+// OpenFOAM counts outputs from where a program was started; we, from where the run began: it may have been
+// stopped anywhere.
+void TimeStepChoice::resume(double start, double deltaT)
+{
+    first_ = false;
+    start_ = start;
+    if (adjust_)
+    {
+        time_.setDeltaT(deltaT, false);
+    }
+}
+
+bool TimeStepChoice::outputDue() const
+{
+    const bool ends = time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
+    return ends || (writeInterval_ > 0 ? reachesOutput_ : time_.outputTime());
+}
+
+// A whole number, as a time that falls short by half a DEM step counts.
+double TimeStepChoice::outputsUntil(double time, double demStep) const
+{
+    return std::floor((time - start_ + 0.5*demStep)/writeInterval_);
 }
 
 TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const DemEngine& dem) const
@@ -94,23 +125,29 @@ TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const De
     return limits;
 }
 
+// A set-up of LIGGGHTS costs time and disturbs the last digits: only for another step.
+void TimeStepChoice::setDemStep(double step, DemEngine& dem)
+{
+    if (std::abs(step - dem.timeStep()) > 1e-12*step)
+    {
+        dem.setTimeStep(step);
+    }
+}
+
 void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
 {
     if (scene.radius <= 0)
     {
-        if (first_ && fixedDemStep_ > 0)
+        if (fixedDemStep_ > 0)
         {
-            dem.setTimeStep(fixedDemStep_);
+            setDemStep(fixedDemStep_, dem);
         }
         return; // nothing that could be unstable: the script's step stands
     }
     const bool stiffnessKnown = !dem.materialProperty("youngsModulus").empty();
     if (fixedDemStep_ > 0 && !stiffnessKnown)
     {
-        if (first_)
-        {
-            dem.setTimeStep(fixedDemStep_);
-        }
+        setDemStep(fixedDemStep_, dem);
         return;
     }
 
@@ -138,15 +175,13 @@ void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
             step = fluidStep/std::ceil(fluidStep/step*(1 - 1e-9));
         }
     }
-    // A set-up of LIGGGHTS costs time and disturbs nothing but the last digits; still, no more of
-    // them than stability asks for.
+    // No more changes than stability asks for.
     const double now = dem.timeStep();
-    if (first_ || step < 0.8*now || step > 2*now)
+    const bool another = fixedDemStep_ > 0 ? std::abs(step - now) > 1e-12*now
+                                           : step < 0.8*now || step > 2*now;
+    if (first_ || another)
     {
-        if (std::abs(step - now) > 1e-12*now)
-        {
-            dem.setTimeStep(step);
-        }
+        setDemStep(step, dem);
         Info<< "DEM step " << step << " s: " << 100*step/limits.rayleigh
             << " % of the Rayleigh time, " << 100*step/limits.hertz << " % of the Hertz time at "
             << std::max(scene.speed, expectedSpeed_) << " m/s" << nl << endl;
@@ -214,13 +249,9 @@ void TimeStepChoice::refuseUnstable(const Scene& scene, double step) const
 long TimeStepChoice::alignWithOutput(long steps, double demStep)
 {
     double next = time_.endTime().value();
-    const word control = time_.controlDict().getOrDefault<word>("writeControl", "timeStep");
-    if (control == "runTime" || control == "adjustable" || control == "adjustableRunTime")
+    if (writeInterval_ > 0)
     {
-        const double interval = time_.controlDict().get<scalar>("writeInterval");
-        const double passed = time_.value() - time_.startTime().value();
-        const double done = std::floor(passed/interval + 0.5*demStep/interval);
-        next = std::min(next, time_.startTime().value() + (done + 1)*interval);
+        next = std::min(next, start_ + (outputsUntil(time_.value(), demStep) + 1)*writeInterval_);
     }
     const long distance = std::lround((next - time_.value())/demStep);
     if (distance <= 0)
@@ -262,7 +293,10 @@ void TimeStepChoice::choose(const Scene& scene, DemEngine& dem)
                 "Set deltaT to " + text(std::max(1L, demSteps_)*demStep) + "."});
         }
     }
-    time_.setDeltaT(demSteps_*demStep, false);
+    const double step = demSteps_*demStep;
+    reachesOutput_ = writeInterval_ > 0
+        && outputsUntil(time_.value() + step, demStep) > outputsUntil(time_.value(), demStep);
+    time_.setDeltaT(step, false);
     first_ = false;
 }
 

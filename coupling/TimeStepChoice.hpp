@@ -34,6 +34,15 @@ public:
     ///     minDemStep, maxDemStep           bounds [s]                        1e-9, 1e-4
     TimeStepChoice(Foam::Time& time, const Foam::dictionary& dict);
 
+    /// For a run that goes on: from when its outputs are counted [s], and its last deltaT [s].
+    void resume(double start, double deltaT);
+
+    /// Time from which outputs are counted [s].
+    double start() const { return start_; }
+
+    /// Whether the step that was chosen last ends at an output, or ends the run, which is one as well.
+    bool outputDue() const;
+
     /// What the limits depend on. Same on all ranks.
     struct Scene
     {
@@ -62,8 +71,10 @@ private:
 
     DemLimits demLimits(const Scene& scene, const DemEngine& dem) const;
     void chooseDemStep(const Scene& scene, DemEngine& dem);
+    static void setDemStep(double step, DemEngine& dem);
     double largestStep(const Scene& scene, double demStep);
     void refuseUnstable(const Scene& scene, double step) const;
+    double outputsUntil(double time, double demStep) const;
     long alignWithOutput(long steps, double demStep);
 
     Foam::Time& time_;
@@ -80,6 +91,9 @@ private:
     bool adjust_ = true;
     double maxCo_;
     double maxDeltaT_;
+    double writeInterval_ = 0; // [s]; zero: outputs do not follow the clock
+    double start_;
+    bool reachesOutput_ = false;
     bool first_ = true;
     std::string binding_;
     long demSteps_ = 0;

@@ -23,6 +23,7 @@ namespace
 {
 
 const char* const airId = "interstice_air";
+const char* const keptId = "interstice_kept";
 const char* const forceId = "interstice_force";
 
 /// Columns of a particle's row.
@@ -38,19 +39,51 @@ enum Column
     columns = 15
 };
 
+/// Numbers that travel with particles, and are kept in restart files.
+LAMMPS_NS::FixPropertyAtom* defineRows(
+    LAMMPS_NS::LAMMPS& liggghts, const char* id, int count)
+{
+    std::string text = std::string("fix ") + id + " all property/atom " + id + " vector yes no no";
+    for (int column = 0; column < count; ++column)
+    {
+        text += " 0.0";
+    }
+    liggghts.input->one(text.c_str());
+    return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts.modify->find_fix_id(id));
+}
+
 } // namespace
 
 AirForce::AirForce(LAMMPS_NS::LAMMPS& liggghts) : liggghts_(liggghts)
 {
-    std::string rows = std::string("fix ") + airId + " all property/atom " + airId
-        + " vector yes no no"; // kept in restart files
-    for (int column = 0; column < columns; ++column)
-    {
-        rows += " 0.0";
-    }
-    liggghts_.input->one(rows.c_str());
-    air_ = dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts_.modify->find_fix_id(airId));
+    air_ = defineRows(liggghts, airId, columns);
+    kept_ = defineRows(liggghts, keptId, 6);
     defineForce();
+}
+
+void AirForce::keepForces()
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        double* row = kept_->array_atom[i];
+        for (int k = 0; k < 3; ++k)
+        {
+            row[k] = atom.f[i][k] - force_->fexternal[i][k];
+            row[3 + k] = atom.torque[i][k];
+        }
+    }
+}
+
+void AirForce::restoreForces()
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        const double* row = kept_->array_atom[i];
+        std::copy_n(row, 3, atom.f[i]);
+        std::copy_n(row + 3, 3, atom.torque[i]);
+    }
 }
 
 void AirForce::defineForce()

@@ -17,7 +17,7 @@ namespace interstice::dem
 
 /// The air's forces inside LIGGGHTS: one row of numbers a particle, and a loop in every DEM step.
 ///
-/// The rows are a `fix property/atom`, so LIGGGHTS sorts them and sends them along with the
+/// The rows are `fix property/atom`, so LIGGGHTS sorts them and sends them along with the
 /// particles, and restart files keep them. The forces enter through `fix external`, which must act after every other force,
 /// because the exact solution for drag needs the sum of the others.
 ///
@@ -31,6 +31,13 @@ public:
 
     /// Makes the force the last one again if a command has defined others. Collective.
     void actLast();
+
+    /// Keeps all forces but the air's beside the particles, in restart files too. Local.
+    void keepForces();
+
+    /// After a set-up: takes the forces that were kept. LIGGGHTS' own are found with the velocities
+    /// of the end of a step, not of its middle, so that each set-up would disturb the path. Local.
+    void restoreForces();
 
     /// Local, as in DemEngine.
     void setGas(int slot, const GasState& gas, const Vector3& startImpulse);
@@ -60,6 +67,7 @@ private:
 
     LAMMPS_NS::LAMMPS& liggghts_;
     LAMMPS_NS::FixPropertyAtom* air_ = nullptr;
+    LAMMPS_NS::FixPropertyAtom* kept_ = nullptr; ///< forces and torques
     LAMMPS_NS::FixExternal* force_ = nullptr;
     bool blowing_ = false;
     long long lastStep_ = 0;

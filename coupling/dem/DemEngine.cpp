@@ -38,13 +38,25 @@ struct DemEngine::Implementation
         return air != nullptr;
     }
 
-    /// After whatever may have changed the run.
+    /// After whatever may have changed the run. A set-up of LIGGGHTS ends by forgetting that walls
+    /// move: until the next step they would stand still for the powder and the air.
     void setUp()
     {
         air->actLast();
+        const std::map<std::string, WallPose> motion = walls.poses();
+        walls.setVelocities(motion);
         liggghts.setUp();
+        walls.setVelocities(motion);
         walls.record();
         upToDate = true;
+    }
+
+    /// The same where forces are what they were: the path then goes on as without it.
+    void setUpAgain()
+    {
+        air->keepForces();
+        setUp();
+        air->restoreForces();
     }
 
     LAMMPS_NS::Atom& atom() const
@@ -114,6 +126,7 @@ void DemEngine::couple(const DemClockAndWalls& before)
     implementation_->liggghts.setClock(before.time, before.timeStep);
     implementation_->setUp();
     implementation_->walls.countFrom(before.walls);
+    implementation_->air->restoreForces();
 }
 
 void DemEngine::prepare()
@@ -287,6 +300,11 @@ const std::string& DemEngine::heldParticle() const
     return implementation_->air->held();
 }
 
+double DemEngine::time() const
+{
+    return implementation_->liggghts.time();
+}
+
 double DemEngine::timeStep() const
 {
     return implementation_->liggghts.lammps().update->dt;
@@ -311,10 +329,13 @@ void DemEngine::setTimeStep(double dt)
     update.timestep_set = true;
 
     // Only a set-up reaches every holder of the step: reset_dt() passes wall contacts by.
-    implementation_->upToDate = false;
-    if (implementation_->coupled())
+    if (implementation_->coupled() && implementation_->upToDate)
     {
-        implementation_->setUp();
+        implementation_->setUpAgain();
+    }
+    else
+    {
+        implementation_->upToDate = false;
     }
 }
 
@@ -349,22 +370,18 @@ WallPose DemEngine::wallPose(const std::string& fixId) const
     return implementation_->walls.pose(fixId);
 }
 
-void DemEngine::writeRestart(const std::string& path)
+DemClockAndWalls DemEngine::writeRestart(const std::string& path)
 {
-    command("write_restart " + path);
-    if (implementation_->coupled())
+    assert(implementation_->coupled());
+    if (!implementation_->upToDate)
     {
-        // A set-up ends by forgetting the velocity of moving walls, which the file lacks too: in
-        // the second one the contact forces on walls are those that the reader will find.
-        implementation_->setUp();
         implementation_->setUp();
     }
-}
-
-DemClockAndWalls DemEngine::clockAndWalls() const
-{
-    return {stepsDone(), implementation_->liggghts.time(), timeStep(),
-            implementation_->walls.markers()};
+    implementation_->air->keepForces();
+    command("write_restart " + path);
+    const DemClockAndWalls now{stepsDone(), time(), timeStep(), implementation_->walls.markers()};
+    implementation_->setUpAgain();
+    return now;
 }
 
 void DemEngine::readRestart(const std::string& path)

@@ -79,6 +79,7 @@ struct WallMarker
 {
     int number = 0;    ///< LIGGGHTS' number of it
     Triangle atRest{}; ///< where it lay when recorded [m]
+    Triangle velocities{}; ///< of its nodes now [m/s]
 };
 
 /// What a restart file of LIGGGHTS lacks.
@@ -184,8 +185,9 @@ public:
 
     double timeStep() const;   ///< [s]; local
     long long stepsDone() const; ///< LIGGGHTS' step counter; local
+    double time() const;         ///< LIGGGHTS' `time` [s]; local
 
-    /// Changes the DEM step [s]. LIGGGHTS is set up anew: particles, contact history and
+    /// Changes the DEM step [s]. LIGGGHTS is set up anew: particles, forces, contact history and
     /// moving walls go on from where they are. Insertion fixes count in steps, so their rates
     /// change with the step. Throws InputError unless dt > 0.
     void setTimeStep(double dt);
@@ -207,12 +209,11 @@ public:
 
     // Restart
 
-    /// Writes a LIGGGHTS restart file and sets LIGGGHTS up anew: a run that reads the file
-    /// makes the same set-up, and only so both follow the same path. Drag impulses are in the file.
-    void writeRestart(const std::string& path);
-
-    /// To be kept with the restart file. After couple(). Local.
-    DemClockAndWalls clockAndWalls() const;
+    /// Writes a LIGGGHTS restart file and sets LIGGGHTS up anew: a run that reads the file makes
+    /// the same set-up, and only so both follow the same path, which is that of a run that writes
+    /// nothing but for the order of sums. Forces and drag impulses are in the file.
+    /// Returns what must be kept with it. After couple().
+    DemClockAndWalls writeRestart(const std::string& path);
 
     /// Reads a restart file (before any box exists). Throws InputError if it is missing.
     void readRestart(const std::string& path);

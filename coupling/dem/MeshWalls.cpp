@@ -33,6 +33,14 @@ Triangle nodesOf(LAMMPS_NS::TriMesh& mesh, int element)
     return nodes;
 }
 
+using NodeVelocities = LAMMPS_NS::MultiVectorContainer<double, 3, 3>;
+
+/// None for a wall that nothing moves.
+NodeVelocities* velocitiesOf(LAMMPS_NS::TriMesh& mesh)
+{
+    return mesh.prop().getElementProperty<NodeVelocities>("v");
+}
+
 } // namespace
 
 MeshWalls::MeshWalls(LAMMPS_NS::LAMMPS& liggghts, MPI_Comm communicator)
@@ -79,9 +87,44 @@ std::map<std::string, WallMarker> MeshWalls::markers() const
     std::map<std::string, WallMarker> found;
     for (const auto& [id, wall] : walls_)
     {
-        found[id] = wall.marker;
+        found[id] = {wall.marker.number, wall.marker.atRest, markerNow(id).velocities};
     }
     return found;
+}
+
+std::map<std::string, WallPose> MeshWalls::poses() const
+{
+    std::map<std::string, WallPose> found;
+    for (const std::string& id : ids())
+    {
+        if (walls_.count(id) > 0)
+        {
+            found[id] = pose(id);
+        }
+    }
+    return found;
+}
+
+void MeshWalls::setVelocities(const std::map<std::string, WallPose>& motion)
+{
+    for (const auto& [id, pose] : motion)
+    {
+        LAMMPS_NS::TriMesh& mesh = *surface(id).triMesh();
+        NodeVelocities* speeds = velocitiesOf(mesh);
+        if (!speeds || (pose.velocity == Vector3{} && pose.angularVelocity == Vector3{}))
+        {
+            continue;
+        }
+        for (int i = 0; i < mesh.size(); ++i)
+        {
+            const Triangle nodes = nodesOf(mesh, i);
+            for (int j = 0; j < 3; ++j)
+            {
+                const Vector3 speed = pose.velocityAt(nodes[j]);
+                std::copy_n(speed.data(), 3, (*speeds)(i)[j]);
+            }
+        }
+    }
 }
 
 void MeshWalls::countFrom(const std::map<std::string, WallMarker>& markers)
@@ -97,7 +140,8 @@ void MeshWalls::countFrom(const std::map<std::string, WallMarker>& markers)
                 "mesh wall " + id + " has another shape, or is new", "",
                 "LIGGGHTS script, fix " + id, "Resume with the same surface files."});
         }
-        const WallPose moved = rigidMotion(before->second.atRest, now->second, {});
+        const WallPose moved =
+            rigidMotion(before->second.atRest, now->second, before->second.velocities);
         for (auto& [number, triangle] : wall.triangles)
         {
             for (Vector3& node : triangle)
@@ -106,6 +150,7 @@ void MeshWalls::countFrom(const std::map<std::string, WallMarker>& markers)
             }
         }
         wall.marker = before->second;
+        setVelocities({{id, moved}});
     }
 }
 
@@ -155,7 +200,7 @@ MeshWalls::Wall MeshWalls::gather(LAMMPS_NS::FixMeshSurface& surface) const
         if (area > largest)
         {
             largest = area;
-            wall.marker = {number, triangle};
+            wall.marker = {number, triangle, {}};
         }
     }
     return wall;
@@ -185,12 +230,21 @@ std::vector<Triangle> MeshWalls::triangles(const std::string& id) const
 
 WallPose MeshWalls::pose(const std::string& id) const
 {
+    const MarkerNow now = markerNow(id);
+    return rigidMotion(wall(id).marker.atRest, now.nodes, now.velocities);
+}
+
+LAMMPS_NS::FixMeshSurface& MeshWalls::surface(const std::string& id) const
+{
+    return *dynamic_cast<LAMMPS_NS::FixMeshSurface*>(
+        liggghts_.modify->find_fix_id(id.c_str()));
+}
+
+MeshWalls::MarkerNow MeshWalls::markerNow(const std::string& id) const
+{
     const Wall& known = wall(id);
-    auto* surface =
-        dynamic_cast<LAMMPS_NS::FixMeshSurface*>(liggghts_.modify->find_fix_id(id.c_str()));
-    LAMMPS_NS::TriMesh& mesh = *surface->triMesh();
-    auto* speeds =
-        mesh.prop().getElementProperty<LAMMPS_NS::MultiVectorContainer<double, 3, 3>>("v");
+    LAMMPS_NS::TriMesh& mesh = *surface(id).triMesh();
+    NodeVelocities* speeds = velocitiesOf(mesh);
 
     // The owner of the marker fills in what all need: owners, nodes, velocities of the nodes.
     std::array<double, 19> mine{};
@@ -219,14 +273,13 @@ WallPose MeshWalls::pose(const std::string& id) const
              "LIGGGHTS script, region and fix move/mesh",
              "Make the box longer in the direction in which the wall moves."});
     }
-    Triangle nodes{};
-    Triangle velocities{};
+    MarkerNow now;
     for (int j = 0; j < 3; ++j)
     {
-        std::copy_n(&all[1 + 3*j], 3, nodes[j].begin());
-        std::copy_n(&all[10 + 3*j], 3, velocities[j].begin());
+        std::copy_n(&all[1 + 3*j], 3, now.nodes[j].begin());
+        std::copy_n(&all[10 + 3*j], 3, now.velocities[j].begin());
     }
-    return rigidMotion(known.marker.atRest, nodes, velocities);
+    return now;
 }
 
 } // namespace interstice::dem

@@ -24,11 +24,18 @@ public:
     /// Records walls not yet known, where they are. Collective, after LIGGGHTS was set up.
     void record();
 
-    /// The largest triangle of each wall, as it lay when recorded. Local.
+    /// The largest triangle of each wall. Collective.
     std::map<std::string, WallMarker> markers() const;
 
+    /// Of the walls that are known and still there. Collective.
+    std::map<std::string, WallPose> poses() const;
+
+    /// Gives the nodes of walls the velocities of rigid bodies; walls at rest stay as they are. Local.
+    void setVelocities(const std::map<std::string, WallPose>& motion);
+
     /// From now on poses count from where the walls lay in a run before, not from where they were
-    /// recorded. Throws InputError if a marker is not the same triangle. Collective, after record().
+    /// recorded, and the walls move as they did there. Throws InputError if a marker is not the same
+    /// triangle. Collective, after record().
     void countFrom(const std::map<std::string, WallMarker>& markers);
 
     /// In the order of the script. Local.
@@ -50,6 +57,15 @@ private:
     std::vector<LAMMPS_NS::FixMeshSurface*> surfaces() const;
     const Wall& wall(const std::string& id) const;
     Wall gather(LAMMPS_NS::FixMeshSurface& surface) const;
+    LAMMPS_NS::FixMeshSurface& surface(const std::string& id) const;
+
+    /// Nodes and velocities of a wall's marker, on all ranks.
+    struct MarkerNow
+    {
+        Triangle nodes{};
+        Triangle velocities{};
+    };
+    MarkerNow markerNow(const std::string& id) const;
 
     LAMMPS_NS::LAMMPS& liggghts_;
     MPI_Comm communicator_;

@@ -42,14 +42,23 @@ def derived():
 
 def table(folder, name):
     """Columns of a function object's table, or None."""
-    path = folder/f"postProcessing/{name}/0/{name}.dat"
-    return np.loadtxt(path, ndmin=2) if path.is_file() else None
+    rows = None
+    for start, path in starts(folder, f"{name}/*/{name}.dat"):
+        new = np.loadtxt(path, ndmin=2)
+        rows = new if rows is None else np.concatenate([rows[rows[:, 0] <= start], new])
+    return rows
+
+
+def starts(folder, pattern):
+    """Files of each start of a run that was resumed, in their order: (start time, path)."""
+    found = (folder/"postProcessing").glob(pattern)
+    return sorted((float(path.parent.name), path) for path in found)
 
 
 def moments(folder):
     """Name -> (time, filling ratio) as the run found them."""
-    path = folder/"postProcessing/fillingRatio/0/moments.dat"
-    rows = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
+    rows = [line.split() for _, path in starts(folder, "fillingRatio/*/moments.dat")
+            for line in path.read_text().splitlines() if not line.startswith("#")]
     return {moment: (float(time), float(value)) for time, moment, value in rows}
 
 
@@ -228,8 +237,7 @@ def save(fig, name):
 
 def summary():
     print("\nFilling ratio [%]" + " "*20 + "with air   no air")
-    runs = [moments(folder) for folder in (case, twin)
-            if (folder/"postProcessing/fillingRatio/0/moments.dat").is_file()]
+    runs = [found for found in map(moments, (case, twin)) if found]
     names = {"frontCrossed": "the shoe's front wall has crossed",
              "rearArrives": "its rear wall arrives", "end": "the shoe has passed: the result"}
     for key, text in names.items():

@@ -117,7 +117,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     pimple_(mesh, "PIMPLE", false),
     U_(field("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
     p_(field("p", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
-    alpha_(field("voidFraction", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE), mesh,
+    alpha_(field("voidFraction", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE), mesh,
         dimensionedScalar("one", dimless, 1), zeroGradientFvPatchScalarField::typeName),
     ddtAlpha_(field("ddtVoidFraction", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
         mesh, dimensionedScalar(dimless/dimTime, Zero)),
@@ -155,8 +155,25 @@ void AirFlow::start(const PowderOnMesh& powder)
 {
     alpha_ == powder.voidFraction();
     alpha_.oldTime() == alpha_;
+    phi_ = fvc::flux(U_);
     alphaPhi_ = fvc::interpolate(alpha_)*phi_;
     alphaPhi_.oldTime() == alphaPhi_;
+}
+
+void AirFlow::resume()
+{
+    for (const regIOobject* needed :
+        std::initializer_list<const regIOobject*>{&alpha_, &ddtAlpha_, &alphaPhi_, &push_})
+    {
+        if (!returnReduce(IOobject(*needed).typeHeaderOk<volScalarField>(false), andOp<bool>()))
+        {
+            throw InputError({"A run goes on from a checkpoint that is whole.",
+                "no field " + needed->name() + " in " + mesh_.time().timeName(),
+                "all fields as they were written", mesh_.time().timeName(),
+                "Copy it to there, or delete this time folder to go on from the one before."});
+        }
+    }
+    finish();
 }
 
 void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)

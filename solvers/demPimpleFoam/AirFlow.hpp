@@ -42,6 +42,9 @@ public:
     /// Void fraction to start from. Collective, once.
     void start(const PowderOnMesh& powder);
 
+    /// Instead of start(): goes on with the fields of the start time. Throws InputError if one is missing. Collective, once.
+    void resume();
+
     /// Collective. Moves the air over the time step, with the powder as it lies on the mesh.
     /// Throws RunFailure, on all ranks, if U or p is no number in some cell, which it names; fields
     /// and clock are then those of the step before.

@@ -113,19 +113,45 @@ void RunLog::step(const AirFlow::Report& air)
 
 void RunLog::write()
 {
-    StageClock::Scope timed(clock_, Stage::output);
-    if (time_.outputTime())
+    if (powder_.outputDue())
     {
-        powder_.writeCloud();
+        writeAll();
     }
-    time_.write();
 }
 
+// The record of the checkpoint comes last: what has it is whole.
+void RunLog::writeAll()
+{
+    powder_.beginCheckpoint();
+    {
+        StageClock::Scope timed(clock_, Stage::output);
+        powder_.writeCloud();
+        time_.writeNow();
+    }
+    powder_.completeCheckpoint();
+}
+
+// No checkpoint: the particles may have gone on, or be no numbers.
 void RunLog::lastGood()
 {
-    powder_.writeCloud();
-    time_.writeNow();
-    Info<< "The state at " << time_.value() << " s was written before stopping." << endl;
+    if (time_.timeIndex() > time_.startTimeIndex())
+    {
+        powder_.writeCloud();
+        time_.writeNow();
+        Info<< "The state at " << time_.value() << " s was written before stopping. It is there to be looked "
+            << "at; a run goes on from an earlier time." << endl;
+    }
+    table();
+}
+
+void RunLog::stopped(const std::string& why)
+{
+    if (!powder_.outputDue())
+    {
+        writeAll();
+    }
+    Info<< "Stopped by " << why.c_str() << " at " << time_.timeName()
+        << " s; a checkpoint was written. Set startFrom latestTime to go on." << endl;
     table();
 }
 

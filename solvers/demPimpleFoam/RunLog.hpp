@@ -16,16 +16,20 @@ public:
     /// Collective, after each step.
     void step(const AirFlow::Report& air);
 
-    /// Writes fields and particles if the clock says so. Collective.
+    /// Writes fields and particles if it is time. Collective.
     void write();
 
     /// Writes what is left of a run that failed. Collective.
     void lastGood();
 
+    /// Writes a checkpoint now, and says so. Collective.
+    void stopped(const std::string& why);
+
     /// The last table.
     void end();
 
 private:
+    void writeAll();
     void table();
     void json(const StageTimes& times, const CoupledPowder::Traffic& traffic, double memory) const;
 

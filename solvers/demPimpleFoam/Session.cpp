@@ -4,6 +4,8 @@
 #include "coupling/Interstice.hpp"
 
 #include "OSspecific.H"
+#include "PstreamReduceOps.H"
+#include "StringStream.H"
 #include "error.H"
 #include "sigFpe.H"
 #include "solverPerformance.H"
@@ -109,6 +111,29 @@ void requireMesh(const Time& time)
     }
 }
 
+// A start time that was named must be there, and whole.
+void requireStart(const Time& time, const wordList& incomplete)
+{
+    for (const word& name : incomplete)
+    {
+        Info<< "The time folder " << name << " was not written to its end; it is now " << name
+            << ".incomplete." << endl;
+    }
+    const bool there = isDir(time.timePath());
+    if (!returnReduce(there, andOp<bool>()))
+    {
+        std::string wanted = "one of";
+        for (const instant& t : time.times())
+        {
+            wanted += t.name() == time.constant() ? "" : ' ' + t.name();
+        }
+        throw InputError({"A run starts from the folder of a time.",
+            "no folder " + time.timeName() + (incomplete.found(time.timeName()) ? " that is whole" : ""),
+            wanted, "system/controlDict, key startTime",
+            "Name another time, or set startFrom latestTime."});
+    }
+}
+
 } // namespace
 
 int Session::guard(Run run, int argc, char* argv[])
@@ -134,9 +159,10 @@ int Session::guard(Run run, int argc, char* argv[])
     // OpenFOAM's errors, too, are told once, by one rank.
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
+    int exitCode = 0;
     try
     {
-        run(*args);
+        exitCode = run(*args);
     }
     catch (const Foam::IOerror& error)
     {
@@ -158,6 +184,12 @@ int Session::guard(Run run, int argc, char* argv[])
     {
         stop(std::string("this should not have happened: ") + error.what());
     }
+    if (exitCode)
+    {
+        std::cout.flush();
+        MPI_Finalize();
+        std::_Exit(exitCode); // argList would make it zero
+    }
     if (ownsMpi)
     {
         MPI_Finalize();
@@ -176,8 +208,10 @@ Session::Session(argList& args)
             std::to_string(ranks) + " ranks, no -parallel", "demPimpleFoam -parallel",
             "command line", "Run decomposePar, then mpirun -np N demPimpleFoam -parallel."});
     }
+    const wordList incomplete = CoupledPowder::setAsideIncomplete(args.path());
     time_ = std::make_unique<Time>(Time::controlDictName, args);
     requireDuration(*time_);
+    requireStart(*time_, incomplete);
     requireMesh(*time_);
     mesh_ = std::make_unique<fvMesh>(
         IOobject(fvMesh::defaultRegion, time_->timeName(), *time_, IOobject::MUST_READ));

@@ -13,9 +13,9 @@ namespace interstice
 class Session
 {
 public:
-    using Run = void (*)(Foam::argList& args);
+    using Run = int (*)(Foam::argList& args);
 
-    /// Calls run and turns errors into messages and exit codes: an InputError is printed once, on
+    /// Calls run, returns its exit code, and turns errors into messages and exit codes: an InputError is printed once, on
     /// the first rank that has it, and ends all ranks with code 1. Starts MPI, which OpenFOAM does
     /// for parallel runs only and LIGGGHTS always needs.
     static int guard(Run run, int argc, char* argv[]);

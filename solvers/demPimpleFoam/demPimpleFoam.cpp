@@ -11,10 +11,11 @@
 #include "AirFlow.hpp"
 #include "RunLog.hpp"
 #include "Session.hpp"
+#include "StopRequest.hpp"
 
 using namespace Foam;
 
-static void run(argList& args)
+static int run(argList& args)
 {
     interstice::Session session(args);
     Time& runTime = session.time();
@@ -23,12 +24,21 @@ static void run(argList& args)
     interstice::StageClock clock;
     interstice::AirFlow air(mesh, clock);
     interstice::CoupledPowder powder(mesh, air.density(), air.nu(), clock);
-    air.start(powder.onMesh());
+    if (powder.resumed())
+    {
+        air.resume();
+    }
+    else
+    {
+        air.start(powder.onMesh());
+    }
     interstice::RunLog log(runTime, powder, clock);
+    interstice::StopRequest stop;
+    bool stopped = false;
 
     try
     {
-        while (runTime.run())
+        while (!(stopped = stop.came()) && runTime.run())
         {
             powder.chooseTimeStep(air.courant());
             ++runTime;
@@ -53,7 +63,13 @@ static void run(argList& args)
         log.lastGood();
         throw;
     }
+    if (stopped)
+    {
+        log.stopped(stop.name());
+        return stop.exitCode();
+    }
     log.end();
+    return 0;
 }
 
 int main(int argc, char* argv[])

@@ -161,9 +161,9 @@ class Case:
             "tied": "fix integrate all rigid single force 1 off off on torque 1 off off off"}
         return {
             "dem_boundary": " ".join(edges),
-            "particles": "read_data powder.data" if self.positions else
-                f"region box block 0 {size[0]:.15g} 0 {size[1]:.15g} 0 {size[2]:.15g} units box\n"
-                "create_box 1 box",
+            "particles": '"read_data powder.data"' if self.positions else
+                f'"region box block 0 {size[0]:.15g} 0 {size[1]:.15g} 0 {size[2]:.15g} units box" '
+                '"create_box 1 box"',
             "gravity": f"fix g all gravity {pull:.15g} vector {spaced(self.gravity)}"
                 if pull and self.positions else "",
             "motion": motions[self.motion] if self.positions else motions["free"],
@@ -230,10 +230,20 @@ class Run:
 
     def budget(self):
         """Rows of time, air, powder, remainder: momentum [N s]."""
-        path, = (self.folder/"postProcessing"/"momentumBudget").glob("*/momentumBudget.dat")
-        rows = [list(map(float, line.split())) for line in path.read_text().splitlines()
-                if not line.startswith("#")]
+        rows = self.table("momentumBudget")
         return [(r[0], tuple(r[1:4]), tuple(r[4:7]), tuple(r[7:10])) for r in rows]
+
+    def table(self, name):
+        """Rows of numbers of a function object. A run that was resumed has a table for each
+        start; of an earlier one counts what lies before the next start."""
+        rows = []
+        paths = (self.folder/"postProcessing").glob(f"{name}/*/*.dat")
+        for path in sorted((p for p in paths if p.name != "moments.dat"),
+                           key=lambda p: float(p.parent.name)):
+            rows = [row for row in rows if row[0] <= float(path.parent.name)]
+            rows += [list(map(float, line.split())) for line in path.read_text().splitlines()
+                     if not line.startswith("#")]
+        return rows
 
     def record(self):
         """The grains by time: {time: {id: (position, velocity)}}."""
