@@ -41,7 +41,8 @@ struct Checkpoint
     Foam::boundBox bounds; ///< of the mesh, all ranks
     Foam::vector owed = Foam::Zero; ///< sum of the drag impulses that the air has not lost yet [N s]
 
-    /// File of the particles for a time folder; makes the folder, and takes away a record that is there. Collective.
+    /// File of the particles for a time folder; makes the folder, and takes away a record that is
+    /// there. Collective.
     static Foam::fileName begin(const Foam::Time& time);
 
     /// Writes the record of what begin() began. Collective, when all ranks have written their fields.
@@ -54,8 +55,8 @@ struct Checkpoint
     /// File of the particles of a time folder.
     static Foam::fileName particlesOf(const Foam::Time& time);
 
-    /// Renames the time folders of `casePath` (of this rank: processorN) that a run of ours began and did not
-    /// complete. Returns their names. Collective, before the clock looks for the latest time.
+    /// Renames the time folders of `casePath` (of this rank: processorN) that a run of ours began and
+    /// did not complete. Returns their names. Collective, before the clock looks for the latest time.
     static Foam::wordList setAsideIncomplete(const Foam::fileName& casePath);
 
     /// Throws InputError if a run that is resumed has another mesh or other particles. Same on all

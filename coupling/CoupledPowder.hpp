@@ -43,8 +43,8 @@ public:
     CoupledPowder(const CoupledPowder&) = delete;
     CoupledPowder& operator=(const CoupledPowder&) = delete;
 
-    /// To be called before the clock looks for the latest time: renames time folders of `casePath` (of this
-    /// rank: processorN) that a kill has torn to `<time>.incomplete`. Returns their times.
+    /// To be called before the clock looks for the latest time: renames time folders of `casePath`
+    /// (of this rank: processorN) that a kill has torn to `<time>.incomplete`. Returns their times.
     static Foam::wordList setAsideIncomplete(const Foam::fileName& casePath);
 
     /// True: the run goes on from a checkpoint.

@@ -69,8 +69,8 @@ TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
     }
 }
 
-// OpenFOAM counts outputs from where a program was started; we, from where the run began: it may have been
-// stopped anywhere.
+// OpenFOAM counts outputs from where a program was started; we, from where the run began: it may have
+// been stopped anywhere.
 void TimeStepChoice::resume(double start, double deltaT)
 {
     first_ = false;

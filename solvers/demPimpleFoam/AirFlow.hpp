@@ -30,7 +30,8 @@ public:
         int pressureIterations = 0; ///< in this step
     };
 
-    /// Reads U, p, bodyForce [m/s2] if there is one, and constant/transportProperties (nu, rho, gravity).
+    /// Reads U, p, bodyForce [m/s2] if there is one, and constant/transportProperties (nu, rho,
+    /// gravity).
     AirFlow(Foam::fvMesh& mesh, StageClock& clock);
 
     double density() const { return density_; } ///< [kg/m3]
@@ -42,7 +43,8 @@ public:
     /// Void fraction to start from. Collective, once.
     void start(const PowderOnMesh& powder);
 
-    /// Instead of start(): goes on with the fields of the start time. Throws InputError if one is missing. Collective, once.
+    /// Instead of start(): goes on with the fields of the start time. Throws InputError if one is
+    /// missing. Collective, once.
     void resume();
 
     /// Collective. Moves the air over the time step, with the powder as it lies on the mesh.

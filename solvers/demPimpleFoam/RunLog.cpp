@@ -138,8 +138,8 @@ void RunLog::lastGood()
     {
         powder_.writeCloud();
         time_.writeNow();
-        Info<< "The state at " << time_.value() << " s was written before stopping. It is there to be looked "
-            << "at; a run goes on from an earlier time." << endl;
+        Info<< "The state at " << time_.value() << " s was written before stopping. It is there to "
+            << "be looked at; a run goes on from an earlier time." << endl;
     }
     table();
 }

@@ -15,9 +15,9 @@ class Session
 public:
     using Run = int (*)(Foam::argList& args);
 
-    /// Calls run, returns its exit code, and turns errors into messages and exit codes: an InputError is printed once, on
-    /// the first rank that has it, and ends all ranks with code 1. Starts MPI, which OpenFOAM does
-    /// for parallel runs only and LIGGGHTS always needs.
+    /// Calls run, returns its exit code, and turns errors into messages and exit codes: an InputError
+    /// is printed once, on the first rank that has it, and ends all ranks with code 1. Starts MPI,
+    /// which OpenFOAM does for parallel runs only and LIGGGHTS always needs.
     static int guard(Run run, int argc, char* argv[]);
 
     /// Reads system/controlDict and the mesh.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run cannot go on from is refused in one sentence, on all ranks, and with a non-zero exit: a
-checkpoint that is torn, of another case or of another powder, one whose air or powder is missing, and a script that does not
-read it."""
+checkpoint that is torn, of another case or of another powder, one whose air or powder is missing, and a
+script that does not read it."""
 import re
 
 from hardCase import main

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The slice of foam_cases/dieFilling with few large parcels, as tests of going on use it: run, stopped, resumed
-and compared."""
+"""The slice of foam_cases/dieFilling with few large parcels, as tests of going on use it: run, stopped,
+resumed and compared."""
 import math
 import os
 import pathlib
