@@ -7,6 +7,7 @@
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
 #include "coupling/laws/InputError.hpp"
+#include "coupling/laws/TimeScales.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
 #include "IOdictionary.H"
@@ -75,6 +76,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     mesh_(mesh),
     clock_(clock),
     density_(density),
+    lightest_(GREAT),
     state_(mesh)
 {
     const IOdictionary dict(couplingProperties(mesh));
@@ -99,6 +101,8 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     readSolids(p.sub("solids"));
     p.allGroupsKnown();
     checkScene();
+    checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),
+        Parameters(p.sub("voidFraction")).where("smoothingWidth"));
 
     // The powder as it lies, so that the first d(alpha)/dt starts from it.
     moveSolids(0);
@@ -133,6 +137,7 @@ void CoupledPowder::openDem(const dictionary& dict, const Checkpoint* before)
             numbersIn(mesh_.time().globalPath()/p.text("parameters"), p.where("parameters"));
     }
     const bool wantsWalls = p.flag("walls", true);
+    checkpoints_ = p.flag("checkpoints", true);
     p.allKnown();
     options.variables["case"] = mesh_.time().globalPath();
     options.variables["scripts"] = script.path();
@@ -249,17 +254,32 @@ void CoupledPowder::chooseTimeStep(double courant)
     {
         const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
         scene.density = max(scene.density, view.mass[i]/volume);
+        lightest_ = min(lightest_, view.mass[i]/volume);
     }
+    reduce(lightest_, minOp<scalar>());
     reduce(scene.density, maxOp<scalar>());
     timeStep_->choose(scene, *dem_);
+}
+
+// Share of the coming interval by which the powder is predicted: all of it, or nothing.
+//
+// The velocity at the start of a step stands for that of the whole step. That is late by half a step, and
+// the next step makes up for it: with the displaced mass number M the powder's velocity then grows if
+// 2 M + dt/tau_eff (alpha/2 + alpha_p) > 1. So light powder stays where it is, which is late by a whole
+// step, and stable at any density (stability map); M is that of the densest packing.
+double CoupledPowder::prediction() const
+{
+    constexpr double densestPacking = 0.36;
+    constexpr double largestMass = 0.09; // stable up to dt = tau_eff
+    return displacedMassNumber(densestPacking, lightest_, density_) < largestMass ? 1 : 0;
 }
 
 void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
 {
     const double interval = mesh_.time().deltaTValue();
     StageClock::Scope timed(clock_, Stage::deposit);
-    moveSolids(interval);
-    placeParcels(interval);
+    moveSolids(prediction()*interval);
+    placeParcels(prediction()*interval);
     onMesh_->depositVolume();
     onMesh_->depositDrag(U, density_, nu, interval);
     response_ = onMesh_->report().shortestResponse;

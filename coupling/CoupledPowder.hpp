@@ -89,6 +89,9 @@ public:
     /// Whether fields and particles are to be written now. Local, same on all ranks.
     bool outputDue() const;
 
+    /// Whether a run can go on from an output (`checkpoints off` in `powder`: it cannot).
+    bool writesCheckpoints() const { return checkpoints_; }
+
     /// Around writing the fields of a time: the particles, and the record that all is written.
     void beginCheckpoint();
     void completeCheckpoint();
@@ -100,9 +103,11 @@ private:
     Checkpoint record() const;
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;
+    void checkSmoothing(double width, const std::string& where) const;
     void checkPowderInMesh() const;
     void moveSolids(double interval);
     void placeParcels(double interval);
+    double prediction() const;
     void checkParticles() const;
     void refreshState();
     void refreshForces();
@@ -112,7 +117,9 @@ private:
     double density_;
     bool hasAir_ = true;
     bool resumed_ = false;
+    bool checkpoints_ = true;
     double coarseGraining_ = 1;
+    double lightest_; // density of the lightest particle so far [kg/m3]
     std::unique_ptr<Checkpoint> pending_; // begun, not complete
     double response_ = 0; // shortest tau_eff, as the last step had it [s]
     std::unique_ptr<DemEngine> dem_;

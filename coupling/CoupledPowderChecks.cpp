@@ -55,6 +55,23 @@ void CoupledPowder::checkScene() const
     }
 }
 
+// Where the floor of the void fraction moves the powder of a large parcel to other cells, the parcel does
+// not feel what it does to the air there; without smoothing that blew up (stability map).
+void CoupledPowder::checkSmoothing(double width, const std::string& where) const
+{
+    const double diameter = 2*dem_->maximumRadius();
+    const double cell = std::cbrt(gMin(mesh_.V()));
+    if (hasAir_ && diameter > 2*cell && width < diameter)
+    {
+        throw InputError({"A parcel larger than two cells must be smoothed.",
+            "a diameter of " + metres(diameter) + ", cells of " + metres(cell)
+                + ", smoothingWidth " + metres(width),
+            "smoothingWidth of at least the diameter; twice the diameter is good", where,
+            "Set smoothingWidth to " + std::to_string(2*diameter) + ", use larger cells or a smaller "
+            "coarseGraining."});
+    }
+}
+
 void CoupledPowder::checkPowderInMesh() const
 {
     const long long all = dem_->particleCount();

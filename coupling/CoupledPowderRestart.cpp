@@ -65,6 +65,10 @@ bool CoupledPowder::outputDue() const
 
 void CoupledPowder::beginCheckpoint()
 {
+    if (!checkpoints_)
+    {
+        return;
+    }
     StageClock::Scope timed(clock_, Stage::output);
     pending_ = std::make_unique<Checkpoint>(record());
     pending_->dem = dem_->writeRestart(Checkpoint::begin(mesh_.time()));
@@ -73,6 +77,10 @@ void CoupledPowder::beginCheckpoint()
 
 void CoupledPowder::completeCheckpoint()
 {
+    if (!pending_)
+    {
+        return;
+    }
     StageClock::Scope timed(clock_, Stage::output);
     pending_->complete(mesh_.time());
     pending_.reset();

@@ -28,6 +28,33 @@ std::string text(double number)
     return stream.str();
 }
 
+// Of the Rayleigh or the Hertz time beyond which contacts gain energy.
+constexpr double longestShare = 0.5;
+
+double contactShare(const Parameters& p, const word& key, double byDefault)
+{
+    const double share = p.number(key, "", Parameters::Range::fraction, byDefault);
+    if (share > longestShare)
+    {
+        const char* time = key == "hertzFraction" ? "Hertz" : "Rayleigh";
+        throw InputError({"The DEM step is too long for the contacts.", key + " " + text(share),
+            "at most " + text(longestShare) + " of the " + time + " time", p.where(key),
+            "Remove " + key + " to have it chosen, or lower it."});
+    }
+    return share;
+}
+
+// The largest (sign 1) or smallest (-1) of a property, or what stands for none.
+double extreme(const std::vector<double>& values, int sign, double none)
+{
+    double found = none;
+    for (const double value : values)
+    {
+        found = sign*value > sign*found ? value : found;
+    }
+    return found;
+}
+
 // Two significant digits, downwards: round steps make round output times.
 double roundedDown(double step)
 {
@@ -49,8 +76,8 @@ TimeStepChoice::TimeStepChoice(Time& time, const dictionary& dict)
     stabilityLimit_ = p.number("stabilityLimit", "", Range::positive, 1);
     parcelCourant_ = p.number("parcelCourant", "", Range::positive, 0.5);
     fixedDemStep_ = p.number("demStep", "s", Range::positive, -1);
-    rayleighFraction_ = p.number("rayleighFraction", "", Range::fraction, 0.2);
-    hertzFraction_ = p.number("hertzFraction", "", Range::fraction, 0.15);
+    rayleighFraction_ = contactShare(p, "rayleighFraction", 0.2);
+    hertzFraction_ = contactShare(p, "hertzFraction", 0.15);
     expectedSpeed_ = p.number("expectedSpeed", "m/s", Range::positive, 0.5);
     minDemStep_ = p.number("minDemStep", "s", Range::positive, 1e-9);
     maxDemStep_ = p.number("maxDemStep", "s", Range::positive, 1e-4);
@@ -109,8 +136,10 @@ TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const De
     };
     const std::vector<double> youngs = property("youngsModulus");
     const std::vector<double> poisson = property("poissonsRatio");
+    const double restitution = extreme(dem.materialProperty("coefficientRestitution"), -1, 1);
+    const bool rough = extreme(dem.materialProperty("coefficientFriction"), 1, 0) > 0;
 
-    DemLimits limits{GREAT, GREAT};
+    DemLimits limits;
     for (std::size_t type = 0; type < youngs.size(); ++type)
     {
         const double nu = poisson[std::min(type, poisson.size() - 1)];
@@ -118,9 +147,16 @@ TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const De
             limits.rayleigh, rayleighTime(scene.radius, scene.density, youngs[type], nu));
         const double mass = 4.0/3.0*constant::mathematical::pi*std::pow(scene.radius, 3)
             *scene.density;
-        limits.hertz = std::min(limits.hertz,
-            hertzTime(mass/2, scene.radius/2, youngs[type]/(2*(1 - nu*nu)),
-                std::max(scene.speed, expectedSpeed_)));
+        const double modulus = youngs[type]/(2*(1 - nu*nu));
+        const double speed = std::max(scene.speed, expectedSpeed_);
+        limits.hertz =
+            std::min(limits.hertz, hertzTime(mass/2, scene.radius/2, modulus, speed));
+        if (rough && restitution < 1)
+        {
+            limits.dashpot = std::min(limits.dashpot,
+                tangentialDampingTime(mass/2, scene.radius/2, modulus,
+                    youngs[type]/(4*(2 - nu)*(1 + nu)), restitution, speed));
+        }
     }
     return limits;
 }
@@ -132,6 +168,19 @@ void TimeStepChoice::setDemStep(double step, DemEngine& dem)
     {
         dem.setTimeStep(step);
     }
+}
+
+void TimeStepChoice::warnOfLongStep(double step, const DemLimits& limits, double speed)
+{
+    if (warned_ || (step < 0.25*limits.rayleigh && step < 0.2*limits.hertz))
+    {
+        return;
+    }
+    warned_ = true;
+    Info<< "WARNING: The DEM step of " << step << " s is " << round(100*step/limits.rayleigh)
+        << " % of the Rayleigh time and " << round(100*step/limits.hertz) << " % of the Hertz time at "
+        << speed << " m/s: hard impacts may gain energy. Remove demStep, rayleighFraction and "
+        << "hertzFraction to have it chosen." << nl << endl;
 }
 
 void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
@@ -155,19 +204,22 @@ void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
     double step = fixedDemStep_;
     if (fixedDemStep_ > 0)
     {
-        if (fixedDemStep_ > 0.5*std::min(limits.rayleigh, limits.hertz))
+        if (fixedDemStep_ > limits.longestStep())
         {
             throw InputError({"The DEM step is too long for the contacts.",
                 "demStep " + text(fixedDemStep_) + " s",
                 "less than half the Rayleigh time " + text(limits.rayleigh)
-                    + " s and half the Hertz time " + text(limits.hertz) + " s",
+                    + " s, half the Hertz time " + text(limits.hertz) + " s"
+                    + (limits.dashpot < GREAT
+                            ? " and what friction's dashpot allows, " + text(limits.dashpot) + " s"
+                            : ""),
                 file_ + ", key demStep", "Remove demStep to have it chosen, or lower it."});
         }
     }
     else
     {
         step = std::min({rayleighFraction_*limits.rayleigh, hertzFraction_*limits.hertz,
-            maxDemStep_});
+            limits.dashpot, maxDemStep_});
         step = roundedDown(std::max(step, minDemStep_));
         if (!adjust_)
         {
@@ -185,6 +237,7 @@ void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
         Info<< "DEM step " << step << " s: " << 100*step/limits.rayleigh
             << " % of the Rayleigh time, " << 100*step/limits.hertz << " % of the Hertz time at "
             << std::max(scene.speed, expectedSpeed_) << " m/s" << nl << endl;
+        warnOfLongStep(step, limits, std::max(scene.speed, expectedSpeed_));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "Time.H"
 
+#include <algorithm>
 #include <string>
 
 namespace interstice
@@ -20,7 +21,8 @@ class DemEngine;
 ///     largest step                   maxDeltaT              system/controlDict
 ///     growth                         1.2 of the last step and one DEM step
 ///     output                         the next write time or the end
-/// Limits of the DEM step: Rayleigh and Hertz times (see laws/TimeScales.hpp), bounds of the case.
+/// Limits of the DEM step: Rayleigh time, Hertz time, time of friction's dashpot (laws/TimeScales.hpp),
+/// bounds of the case.
 class TimeStepChoice
 {
 public:
@@ -29,7 +31,8 @@ public:
     ///     stabilityLimit   dt/tau_eff beyond which a fixed deltaT is refused default 1
     ///     parcelCourant    cells that a particle may cross in a step         default 0.5
     ///     demStep          fixed DEM step [s]                                default: chosen
-    ///     rayleighFraction, hertzFraction  shares of these times that are chosen, 0.2 and 0.15
+    ///     rayleighFraction, hertzFraction  shares of these times that are chosen, 0.2 and 0.15; at
+    ///                      most 0.5, with a warning above 0.25 and 0.2
     ///     expectedSpeed    impact speed that the Hertz time allows for [m/s], default 0.5
     ///     minDemStep, maxDemStep           bounds [s]                        1e-9, 1e-4
     TimeStepChoice(Foam::Time& time, const Foam::dictionary& dict);
@@ -65,12 +68,17 @@ public:
 private:
     struct DemLimits
     {
-        double rayleigh;
-        double hertz;
+        double rayleigh = Foam::GREAT; // [s]
+        double hertz = Foam::GREAT;
+        double dashpot = Foam::GREAT; // of friction, explicit in LIGGGHTS
+
+        /// Beyond this contacts gain energy. [s]
+        double longestStep() const { return std::min({0.5*rayleigh, 0.5*hertz, dashpot}); }
     };
 
     DemLimits demLimits(const Scene& scene, const DemEngine& dem) const;
     void chooseDemStep(const Scene& scene, DemEngine& dem);
+    void warnOfLongStep(double step, const DemLimits& limits, double speed);
     static void setDemStep(double step, DemEngine& dem);
     double largestStep(const Scene& scene, double demStep);
     void refuseUnstable(const Scene& scene, double step) const;
@@ -95,6 +103,7 @@ private:
     double start_;
     bool reachesOutput_ = false;
     bool first_ = true;
+    bool warned_ = false;
     std::string binding_;
     long demSteps_ = 0;
 };

@@ -377,10 +377,12 @@ DemClockAndWalls DemEngine::writeRestart(const std::string& path)
     {
         implementation_->setUp();
     }
+    // Kept before: the command sends particles to other ranks, and their forces not with them.
     implementation_->air->keepForces();
     command("write_restart " + path);
     const DemClockAndWalls now{stepsDone(), time(), timeStep(), implementation_->walls.markers()};
-    implementation_->setUpAgain();
+    implementation_->setUp();
+    implementation_->air->restoreForces();
     return now;
 }
 

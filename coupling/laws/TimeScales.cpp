@@ -64,6 +64,24 @@ double ExchangeScales::recommendedStep() const noexcept
     return 0.2 * sealedBedTime();
 }
 
+double tangentialDampingTime(double effectiveMass, double effectiveRadius, double effectiveModulus,
+    double shearModulus, double restitution, double speed)
+{
+    const double logarithm = std::log(restitution);
+    const double damping = -logarithm / std::sqrt(logarithm * logarithm + pi * pi);
+    const double overlap = std::pow(15 * effectiveMass * speed * speed
+            / (16 * effectiveModulus * std::sqrt(effectiveRadius)), 0.4);
+    const double stiffness = 8 * shearModulus * std::sqrt(effectiveRadius * overlap);
+    const double dashpot =
+        2 * std::sqrt(5.0 / 6.0) * damping * std::sqrt(stiffness * effectiveMass);
+    return 2 * effectiveMass / (7.0 / 2.0 * dashpot);
+}
+
+double displacedMassNumber(double voidFraction, double particleDensity, double gasDensity)
+{
+    return gasDensity / particleDensity * (1 - voidFraction) / voidFraction;
+}
+
 double trappedAirFrequency(double pressure, double cavityDepth, double solidFraction,
     double particleDensity, double plugHeight)
 {

@@ -69,6 +69,25 @@ struct ExchangeScales
     double recommendedStep() const noexcept;
 };
 
+/// Longest DEM step [s] with which the tangential dashpot of an impact does not make slip grow, in
+/// LIGGGHTS' contact model `tangential history`, which applies it explicitly:
+///
+///     2 m*/(7/2 gamma_t),  gamma_t = 2 sqrt(5/6) b sqrt(8 G* sqrt(R* d) m*),
+///     b = -ln e/sqrt(ln^2 e + pi^2)
+///
+/// with the factor 7/2 of a sphere that slips and turns, at the largest overlap d of an elastic impact,
+/// d = (15 m* v^2/(16 Y* sqrt(R*)))^(2/5). A particle in a corner has two such dashpots.
+///
+/// @param effectiveMass, effectiveRadius, effectiveModulus, speed   as in hertzTime
+/// @param shearModulus  1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 [Pa]
+/// @param restitution   e, in (0, 1]; infinite time at 1
+double tangentialDampingTime(double effectiveMass, double effectiveRadius, double effectiveModulus,
+    double shearModulus, double restitution, double speed);
+
+/// M = (rho_f/rho_p) alpha_p/alpha_f: mass of the air that has to go back as powder goes ahead, times
+/// its detour, over that of the powder.
+double displacedMassNumber(double voidFraction, double particleDensity, double gasDensity);
+
 /// Frequency [Hz] at which a plug of powder bounces on the air it has trapped, if the air is
 /// compressible and slow to leave:
 ///

@@ -23,7 +23,8 @@ public:
     /// `width`: b [m]; zero: no smoothing.
     Smoothing(const Foam::fvMesh& mesh, const CellHalo& halo, double width);
 
-    /// Collective. `open`: uncovered fraction of each cell, own and ghosts.
+    /// Collective. `open`: uncovered fraction of each cell, own and ghosts. Nothing passes a cell that
+    /// is half covered.
     void close(const Foam::scalarList& open);
 
     /// Collective. Smooths N densities at once; `density` is nCells long.
@@ -39,6 +40,8 @@ public:
     const std::vector<CellHalo::Link>& open() const { return links_; }
 
 private:
+    static double passage(double open);
+
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;
     int sweeps_ = 0;

@@ -39,6 +39,29 @@ void requireDimensions(const Field& field, const dimensionSet& wanted, const cha
     }
 }
 
+// Values from beyond coupled patches: what decomposePar writes there is the cell's own.
+template<class Field>
+void meetNeighbours(Field& field)
+{
+    auto& patches = field.boundaryFieldRef();
+    const label before = Pstream::nRequests();
+    for (auto& patch : patches)
+    {
+        if (patch.coupled())
+        {
+            patch.initEvaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+    Pstream::waitRequests(before);
+    for (auto& patch : patches)
+    {
+        if (patch.coupled())
+        {
+            patch.evaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+}
+
 // What pushes the air besides gravity, if the start time has a field of the name: a fan, a rotating
 // frame, a test with a made-up solution.
 volVectorField givenForce(const fvMesh& mesh)
@@ -46,8 +69,9 @@ volVectorField givenForce(const fvMesh& mesh)
     IOobject io(field("bodyForce", mesh, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE));
     const bool given = io.typeHeaderOk<volVectorField>(true);
     io.writeOpt() = given ? IOobject::AUTO_WRITE : IOobject::NO_WRITE; // for a run that goes on
-    const volVectorField force(io, mesh, dimensionedVector(dimAcceleration, Zero));
+    volVectorField force(io, mesh, dimensionedVector(dimAcceleration, Zero));
     requireDimensions(force, dimAcceleration, "bodyForce is an acceleration of the air [m/s2].");
+    meetNeighbours(force);
     return force;
 }
 
@@ -143,6 +167,10 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     requireEuler(mesh);
     requirePredictor(pimple_);
     mesh.setFluxRequired(p_.name());
+    meetNeighbours(U_);
+    meetNeighbours(p_);
+    meetNeighbours(alpha_);
+    meetNeighbours(push_);
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     U_.oldTime();
     p_.oldTime();

@@ -151,7 +151,9 @@ void RunLog::stopped(const std::string& why)
         writeAll();
     }
     Info<< "Stopped by " << why.c_str() << " at " << time_.timeName()
-        << " s; a checkpoint was written. Set startFrom latestTime to go on." << endl;
+        << " s; " << (powder_.writesCheckpoints()
+                ? "a checkpoint was written. Set startFrom latestTime to go on."
+                : "checkpoints are off, so that the run cannot go on.") << endl;
     table();
 }
 

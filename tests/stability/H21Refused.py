@@ -78,8 +78,8 @@ def tornStart(run, name):
 
 
 def noSuchStart(run, name):
-    run.set("system/controlDict", "startFrom", "startTime;\nstartTime 7")
-    return "A run starts from the folder of a time", "no folder 7"
+    run.set("system/controlDict", "startFrom", f"startTime;\nstartTime {1.5*TIME:g}")
+    return "A run starts from the folder of a time", f"no folder {1.5*TIME:g}"
 
 
 def verify(bench):

@@ -240,6 +240,40 @@ TEST(DemEngine, StaysOnItsPathWhenItWritesARestartFile)
     EXPECT_LT(apart, 1e-12);
 }
 
+// Particles that fly through the parts of all ranks, slowed down by air: those that have just left a
+// rank when a file is written must keep what pushed them.
+TEST(DemEngine, StaysOnItsPathWhenItWritesARestartFileAsParticlesChangeRank)
+{
+    const auto flown = [](bool writes)
+    {
+        const auto dem = coupledScene("cloud.in");
+        dem->command("velocity all ramp vx 0 3 x 0 0.08 units box");
+        dem->command("velocity all ramp vy 0 2 y 0 0.08 units box");
+        for (int part = 0; part < 20; ++part)
+        {
+            for (int i = 0; i < dem->particles().count; ++i)
+            {
+                const double own = dem->particles().id[i] % 7;
+                dem->setGas(i, {{-own, 0, own}, 1e-3, {}});
+            }
+            dem->advance(100);
+            if (writes)
+            {
+                dem->writeRestart("flown.restart");
+            }
+        }
+        return everyGrain(*dem);
+    };
+    const auto found = flown(true);
+    for (const auto& [id, grain] : flown(false))
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            EXPECT_NEAR(found.at(id).velocity[k], grain.velocity[k], 1e-12);
+        }
+    }
+}
+
 // A run that is resumed counts poses from where the walls began, with LIGGGHTS' clock and step.
 TEST(DemEngine, ResumesWallsClockAndDragImpulses)
 {

@@ -50,6 +50,28 @@ TEST(HertzTime, IsTheDurationOfAnElasticImpact)
     EXPECT_NEAR(hertzTime(mass, radius, modulus, 0.3) / 3.655e-5, 1, 2e-3);
 }
 
+// Two parcels of 400 um, 7360 kg/m3, E = 1e8 Pa, nu = 0.3 at 5 m/s with e = 0.1: overlap 30.8 um, 2.624 us;
+// at 0.5 m/s with e = 0.5: 11.41 us. Reckoned apart from this code.
+TEST(TangentialDampingTime, IsShortForHardImpactsThatHardlyBounce)
+{
+    const double radius = 100e-6; // of the pair
+    const double mass = 0.5 * 7360 * 4.0 / 3 * pi * 8 * radius * radius * radius;
+    const double modulus = 1e8 / (2 * (1 - 0.3 * 0.3));
+    const double shear = 1e8 / (4 * 1.7 * 1.3);
+
+    EXPECT_NEAR(
+        tangentialDampingTime(mass, radius, modulus, shear, 0.1, 5) / 2.6237027e-6, 1, 1e-7);
+    EXPECT_NEAR(
+        tangentialDampingTime(mass, radius, modulus, shear, 0.5, 0.5) / 1.1409377e-5, 1, 1e-7);
+}
+
+// Glass (2500) in water at 0.36: 0.711; hard metal (7360) in air: 3e-4.
+TEST(DisplacedMassNumber, TellsLightPowderFromHeavy)
+{
+    EXPECT_NEAR(displacedMassNumber(0.36, 2500, 1000), 0.4 * 0.64 / 0.36, 1e-15);
+    EXPECT_LT(displacedMassNumber(0.36, 7360, 1.225), 3e-4);
+}
+
 // Columns: diameter in um, density, tau_p, tau_eff, explicit limit, limit with implicit drag in
 // ms, at a void fraction of 0.4; derived apart from this code, to the digits shown.
 TEST(ExchangeScales, HaveTheValuesOfTheDieFillingPowders)

@@ -200,17 +200,21 @@ TEST_F(SmoothingTest, LetsNothingThroughCoveredCells)
     EXPECT_GT(largest(after - before), 0.01);
 }
 
-// Half covered on both sides of a face: a quarter passes.
-TEST_F(SmoothingTest, LetsThroughTheProductOfTheOpenFractions)
+// A quarter covered on both sides of a face: half of half passes. Half covered: nothing.
+TEST_F(SmoothingTest, IsShutByHalfCoveredCells)
 {
     Smoothing smoothing = make();
     const std::vector<CellHalo::Link> before = smoothing.open();
-    close(smoothing, scalarField(mesh().nCells(), 0.5));
-
+    close(smoothing, scalarField(mesh().nCells(), 0.75));
     for (std::size_t i = 0; i < before.size(); ++i)
     {
         ASSERT_NEAR(smoothing.open()[i].conductance, 0.25*before[i].conductance,
             1e-15*before[i].conductance);
+    }
+    close(smoothing, scalarField(mesh().nCells(), 0.5));
+    for (const CellHalo::Link& link : smoothing.open())
+    {
+        ASSERT_EQ(link.conductance, 0);
     }
 }
 
