@@ -237,7 +237,7 @@ class Run:
         """Rows of numbers of a function object. A run that was resumed has a table for each
         start; of an earlier one counts what lies before the next start."""
         rows = []
-        paths = (self.folder/"postProcessing").glob(f"{name}/*/*.dat")
+        paths = (self.folder/"postProcessing").glob(f"{name}/*/*")
         for path in sorted((p for p in paths if p.name != "moments.dat"),
                            key=lambda p: float(p.parent.name)):
             rows = [row for row in rows if row[0] <= float(path.parent.name)]
