@@ -159,7 +159,7 @@ def verify(bench):
 
     lull, lasted = longestLull(rows, LENGTH, parcel)
     row("narrow", "longest lull [s]", LULL, lull, max(0.0, lull - LULL), rig.seconds)
-    row("narrow", "a lull until the mouth closed", 0, lasted, float(lasted))
+    row("narrow", "a lull until the mouth closed", 0, int(lasted), float(lasted))
     hole("narrow", rig.resting(), LENGTH)
     hole("narrow, filled at rest", rig.poured(), LENGTH)
     arrived = next(ratio for _, ratio, travel in rows if travel >= WALL + CLEAR + SHOE)
@@ -170,7 +170,7 @@ def verify(bench):
 
     lull, lasted = longestLull(halted(rows, 0.5), LENGTH, parcel)
     row("halted", "longest lull that is found [s]", LULL, lull, min(0.0, lull - LULL))
-    row("halted", "a lull until the mouth closed is found", 1, lasted, lasted - 1.0)
+    row("halted", "a lull until the mouth closed is found", 1, int(lasted), lasted - 1.0)
     slot = Rig(bench, "slot", atRest=True, dieLength=SLOT, powderHeight=3e-3)
     diameter = largestHole(slot.poured(), SLOT)/PARCEL
     row("slot, filled at rest", "largest hole that is found, of a parcel", HOLE, diameter,

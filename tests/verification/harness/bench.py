@@ -91,6 +91,7 @@ class Bench:
         self.row(run.case.name, quantity, expected, measured, error, math.inf, run.seconds)
 
     def row(self, case, quantity, expected, measured, error, tolerance, seconds):
+        expected, measured = (+x if isinstance(x, bool) else x for x in (expected, measured))
         good = math.isfinite(measured) and abs(error) <= tolerance
         self.rows.append({"case": case, "quantity": quantity, "expected": expected,
                           "measured": measured, "error": error,

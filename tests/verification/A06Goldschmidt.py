@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flat bubbling bed (M.J.V. Goldschmidt, R. Beetstra & J.A.M. Kuipers, Powder Technol. 142 (2004)
+23-47), the case foam_cases/fluidisedBed, against OpenFOAM's own DPMFoam on the same bed: 24 750 spheres
+of 2.5 mm in a vessel of 15 x 150 x 450 mm, gas at 1.875 m/s.
+
+From 0.5 s on, when it bubbles, the mean pressure drop is the net weight of the spheres over the area,
+2229 Pa; and their mean height is that of DPMFoam. Bubbles are chaotic: only means can be compared. The
+codes differ in the switch of the drag law (ours also as a smooth blend), in where the void fraction of a
+cell comes from, and in the contacts; DPMFoam lets centres of spheres go as far as its symmetry planes
+in front and rear, so the run that is compared has its walls a radius further out. The run with walls
+where the vessel has them stands beside.
+
+DPMFoam's series is read from foam_cases/fluidisedBed/dpmFoam.dat, or from --reference; without either,
+DPMFoam is run (hours) on the case of Debian's package openfoam-examples. If that is not installed, this
+test ends with 77: skipped.
+"""
+import argparse
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+from harness.bench import Bench
+from harness.laws import GRAVITY
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CASE = ROOT/"foam_cases/fluidisedBed"
+NOT_INSTALLED = 77
+RADIUS = 1.25e-3  # [m]
+COUNT = 24750
+AREA, HEIGHT = 0.015*0.150, 0.450  # [m2], [m]
+GAS, SPHERES = 1.2, 2526.0  # [kg/m3]
+WEIGHT = COUNT*4/3*math.pi*RADIUS**3*(SPHERES - GAS)*GRAVITY/AREA
+assert abs(WEIGHT/2229 - 1) < 1e-4
+
+END = 1.5  # [s]
+START = 0.5  # of the means [s]
+DROP = 2e-2
+MEAN_HEIGHT = 1e-1
+MASS = 1e-12  # missing, of all
+
+
+def numbers(path):
+    """Rows of a table; a vector is three numbers of a row."""
+    return [[float(x) for x in line.replace("(", " ").replace(")", " ").split()]
+            for line in path.read_text().splitlines() if not line.startswith("#")]
+
+
+def mean(rows, start):
+    """Of (time, value) over time, by trapezoids."""
+    rows = [row for row in rows if row[0] > start - 1e-9]
+    total = sum(0.5*(a[1] + b[1])*(b[0] - a[0]) for a, b in zip(rows, rows[1:]))
+    return total/(rows[-1][0] - rows[0][0])
+
+
+class Bed:
+    """A run of the case with changed parameters, in a copy of it."""
+
+    def __init__(self, bench, name, **changes):
+        self.bench, self.name = bench, name
+        base = bench.work/"tree/foam_cases/fluidisedBed"
+        if not base.is_dir():
+            shutil.copytree(CASE, base, ignore=shutil.ignore_patterns(
+                "variants", "processor*", "postProcessing", "VTK", "log.*", "pictures", "polyMesh",
+                "0.*"))
+            for shared in ("liggghts_scripts", "cmake"):
+                (bench.work/"tree"/shared).symlink_to(ROOT/shared)
+        start = time.monotonic()
+        self.command(base/"variant", name, *(f"{k}={v}" for k, v in changes.items()))
+        self.folder = base/"variants"/name
+        self.command(self.folder/"run", "-np", str(bench.ranks))
+        self.seconds = time.monotonic() - start
+
+    def command(self, *words):
+        path = f"{pathlib.Path(self.bench.solver).parent}:{os.environ['PATH']}"
+        done = subprocess.run([str(w) for w in words], text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, env={**os.environ, "PATH": path})
+        if done.returncode:
+            sys.exit(f"{self.name}: {words[0]} failed\n" + done.stdout[-3000:])
+
+    def heights(self):
+        return numbers(self.folder/"postProcessing/bedHeight.dat")
+
+    def drops(self):
+        """Time, pressure drop from the floor to the outlet [Pa], less the weight of the gas."""
+        return [(t, -GAS*(integral/AREA + GRAVITY*HEIGHT)) for t, _, _, integral in
+                numbers(self.folder/"postProcessing/pressureDrop/0/volFieldValue.dat")]
+
+    def judge(self, start):
+        rows = numbers(self.folder/"postProcessing/powderBalance/0/powderBalance.dat")
+        row = lambda *words: self.bench.row(self.name, *words, self.seconds)
+        row("spheres in the end", COUNT, rows[-1][6], rows[-1][6] - COUNT, 0)
+        missing = max(abs(r[5]) for r in rows)/rows[0][4]
+        row("mass missing, of all", 0, missing, missing, MASS)
+        lost = rows[-1][8]
+        row("spheres lost", 0, lost, lost, 0)
+        drop = mean(self.drops(), start)
+        row("mean pressure drop [Pa]", WEIGHT, drop, drop/WEIGHT - 1, DROP)
+        return mean(self.heights(), start)
+
+
+def reference(bench, chosen):
+    """(time, height, pressure drop) of DPMFoam."""
+    given = pathlib.Path(chosen.reference) if chosen.reference else CASE/"dpmFoam.dat"
+    if not given.is_file():
+        given = bench.work.parent/f"{bench.name}.dpmFoam.dat"  # of an earlier run of this test
+    if not given.is_file():
+        print("DPMFoam runs now; it takes hours.", flush=True)
+        code = subprocess.run([sys.executable, str(CASE/"dpmFoam"), "-np", str(bench.ranks),
+                               "--endTime", str(chosen.endTime), "--examples", chosen.examples,
+                               "--folder", str(bench.work/"dpmFoam"), "--result", str(given)]
+                              ).returncode
+        if code:
+            sys.exit(code)
+    print(given.read_text().splitlines()[0], f"({given})", flush=True)
+    return numbers(given)
+
+
+def verify(bench, chosen):
+    series = reference(bench, chosen)
+    start = START*chosen.endTime/END
+    theirs = mean([row[:2] for row in series], start)
+    drop = mean([row[::2] for row in series], start)
+    bench.row("DPMFoam", "mean pressure drop [Pa]", WEIGHT, drop, drop/WEIGHT - 1, math.inf, 0)
+    for name, tolerance, changes in (
+            ("hardSwitch", MEAN_HEIGHT, {"depthMargin": RADIUS}),
+            ("blend", MEAN_HEIGHT, {"depthMargin": RADIUS, "dragLaw": "GidaspowHuilin"}),
+            ("wallsOfTheVessel", math.inf, {})):
+        run = Bed(bench, name, endTime=chosen.endTime, **changes)
+        height = run.judge(start)
+        bench.row(name, "mean height, of DPMFoam's [m]", theirs, height, height/theirs - 1, tolerance,
+                  run.seconds)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--solver", required=True, help="path of demPimpleFoam")
+    options.add_argument("--work", required=True, help="folder for the runs")
+    options.add_argument("--ranks", type=int, default=2)
+    options.add_argument("--naive", help="not used")
+    options.add_argument("--reference", help="series of DPMFoam, a dpmFoam.dat")
+    options.add_argument("--endTime", type=float, default=END, help="shorter: to try the test out")
+    options.add_argument("--examples", default="/usr/share/doc/openfoam-examples/examples")
+    chosen = options.parse_args()
+    shutil.rmtree(chosen.work, ignore_errors=True)
+    bench = Bench("A06Goldschmidt", chosen.solver, chosen.work, chosen.ranks)
+    bench.work.mkdir(parents=True, exist_ok=True)
+    verify(bench, chosen)
+    bench.end()
+
+
+if __name__ == "__main__":
+    main()
