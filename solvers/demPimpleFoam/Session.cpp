@@ -5,7 +5,6 @@
 
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
-#include "StringStream.H"
 #include "error.H"
 #include "sigFpe.H"
 #include "solverPerformance.H"
