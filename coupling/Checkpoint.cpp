@@ -165,6 +165,7 @@ void Checkpoint::complete(const Time& clock) const
     dict.add("deltaT", deltaT);
     dict.add("timeIndex", timeIndex);
     dict.add("response", response);
+    dict.add("lag", lag);
     dict.add("initialMass", initialMass);
     dict.add("lost", double(lost));
     dict.add("dem", written(dem));
@@ -215,6 +216,7 @@ std::optional<Checkpoint> Checkpoint::of(const Time& clock)
     c.deltaT = dict.get<scalar>("deltaT");
     c.timeIndex = dict.get<label>("timeIndex");
     c.response = dict.get<scalar>("response");
+    c.lag = dict.get<scalar>("lag");
     c.initialMass = dict.get<scalar>("initialMass");
     c.lost = std::llround(dict.get<scalar>("lost"));
     c.dem = readDem(dict.subDict("dem"));

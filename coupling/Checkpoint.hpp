@@ -29,6 +29,7 @@ struct Checkpoint
     double deltaT = 0; ///< of the last coupling step [s]
     int timeIndex = 0;
     double response = 0; ///< shortest tau_eff in the last step [s]
+    double lag = 0; ///< by which the air saw the powder late [s]
     double initialMass = 0; ///< of all particles where the run began [kg]
     long long lost = 0; ///< particles so far
     DemClockAndWalls dem;

@@ -261,25 +261,45 @@ void CoupledPowder::chooseTimeStep(double courant)
     timeStep_->choose(scene, *dem_);
 }
 
-// Share of the coming interval by which the powder is predicted: all of it, or nothing.
-//
 // The velocity at the start of a step stands for that of the whole step. That is late by half a step, and
 // the next step makes up for it: with the displaced mass number M the powder's velocity then grows if
-// 2 M + dt/tau_eff (alpha/2 + alpha_p) > 1. So light powder stays where it is, which is late by a whole
-// step, and stable at any density (stability map); M is that of the densest packing.
-double CoupledPowder::prediction() const
+// 2 M + dt/tau_eff (alpha/2 + alpha_p) > 1 (stability map). M is that of the densest packing.
+bool CoupledPowder::predicted() const
 {
     constexpr double densestPacking = 0.36;
     constexpr double largestMass = 0.09; // stable up to dt = tau_eff
-    return displacedMassNumber(densestPacking, lightest_, density_) < largestMass ? 1 : 0;
+    return displacedMassNumber(densestPacking, lightest_, density_) < largestMass;
+}
+
+// Time from now at which the air sees the powder: the end of the coming interval. Light powder is seen
+// late by a step, which is stable at any density. Late by the same time while the step changes, as far as
+// that goes: what it moves in an interval belongs to that interval, whatever the one before was.
+double CoupledPowder::seenAfter(double interval)
+{
+    constexpr double longestLag = 1.5; // intervals
+    lag_ = predicted() ? 0 : min(max(lag_, interval), longestLag*interval);
+    return interval - lag_;
+}
+
+void CoupledPowder::tellLag()
+{
+    if (hasAir_ && !lagTold_ && !predicted())
+    {
+        lagTold_ = true;
+        Info<< "Powder of " << lightest_ << " kg/m3 in a fluid of " << density_ << " kg/m3 is light: "
+            << "the fluid sees it a step late, which is stable and of first order in time." << nl
+            << endl;
+    }
 }
 
 void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
 {
     const double interval = mesh_.time().deltaTValue();
     StageClock::Scope timed(clock_, Stage::deposit);
-    moveSolids(prediction()*interval);
-    placeParcels(prediction()*interval);
+    tellLag();
+    const double then = seenAfter(interval);
+    moveSolids(then);
+    placeParcels(then);
     onMesh_->depositVolume();
     onMesh_->depositDrag(U, density_, nu, interval);
     response_ = onMesh_->report().shortestResponse;

@@ -107,7 +107,9 @@ private:
     void checkPowderInMesh() const;
     void moveSolids(double interval);
     void placeParcels(double interval);
-    double prediction() const;
+    bool predicted() const;
+    double seenAfter(double interval);
+    void tellLag();
     void checkParticles() const;
     void refreshState();
     void refreshForces();
@@ -119,6 +121,8 @@ private:
     bool resumed_ = false;
     bool checkpoints_ = true;
     double coarseGraining_ = 1;
+    double lag_ = 0; // by which the air sees the powder late [s]
+    bool lagTold_ = false;
     double lightest_; // density of the lightest particle so far [kg/m3]
     std::unique_ptr<Checkpoint> pending_; // begun, not complete
     double response_ = 0; // shortest tau_eff, as the last step had it [s]

@@ -43,6 +43,7 @@ Checkpoint CoupledPowder::record() const
     c.deltaT = clock.deltaTValue();
     c.timeIndex = clock.timeIndex();
     c.response = response_;
+    c.lag = lag_;
     c.initialMass = state_.initialMass;
     c.lost = state_.lost;
     c.particles = state_.total;
@@ -92,6 +93,7 @@ void CoupledPowder::resume(const Checkpoint& before)
     before.requireSame(record());
     resumed_ = true;
     response_ = before.response;
+    lag_ = before.lag;
     state_.initialMass = before.initialMass;
     state_.lost = before.lost;
     Time& clock = const_cast<Time&>(mesh_.time());

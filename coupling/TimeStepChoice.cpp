@@ -263,11 +263,9 @@ double TimeStepChoice::largestStep(const Scene& scene, double demStep)
         {
             limit(couplingNumber_*scene.response, "powder response");
         }
-        if (!first_)
-        {
-            // By at least one DEM step, or a step of one DEM step would stay so for ever.
-            limit(1.2*time_.deltaTValue() + demStep, "growth");
-        }
+        // By at least one DEM step, or a step of one DEM step would stay so for ever.
+        limit(first_ ? time_.deltaTValue() : 1.2*time_.deltaTValue() + demStep,
+            first_ ? "deltaT" : "growth");
     }
     if (scene.speed > 0)
     {

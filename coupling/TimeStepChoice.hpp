@@ -19,6 +19,7 @@ class DemEngine;
 ///     response of the powder         couplingNumber tau_eff (sealed bed, numerics of the coupling)
 ///     travel of particles and walls  parcelCourant cells
 ///     largest step                   maxDeltaT              system/controlDict
+///     first step                     deltaT                 system/controlDict
 ///     growth                         1.2 of the last step and one DEM step
 ///     output                         the next write time or the end
 /// Limits of the DEM step: Rayleigh time, Hertz time, time of friction's dashpot (laws/TimeScales.hpp),

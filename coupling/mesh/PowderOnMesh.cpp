@@ -223,12 +223,20 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
 std::vector<GasRecord> PowderOnMesh::gasAtParcels(const volVectorField& U,
     const volVectorField& pressureGradient, double interval) const
 {
+    // What presses on the powder where the air sees it. Drag is not moved by the floor.
+    List<Packed<3>> pressing(mesh_.nCells());
+    forAll(pressing, celli)
+    {
+        const vector& g = pressureGradient[celli];
+        pressing[celli] = {g.x(), g.y(), g.z()};
+    }
+    floor_.adjoint(pressing);
     List<Packed<6>> air(mesh_.nCells());
     forAll(air, celli)
     {
         const vector& u = U[celli];
-        const vector& g = pressureGradient[celli];
-        air[celli] = {u.x(), u.y(), u.z(), g.x(), g.y(), g.z()};
+        const Packed<3>& g = pressing[celli];
+        air[celli] = {u.x(), u.y(), u.z(), g[0], g[1], g[2]};
     }
     transfer_.smoothed(air);
 

@@ -30,8 +30,10 @@ VoidFractionFloor::VoidFractionFloor(const fvMesh& mesh, const CellHalo& halo, d
     open_(halo.size(), 1.0)
 {}
 
-VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids) const
+VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids)
 {
+    handedOn_.clear();
+    rounds_.clear();
     const double most = 1 - minimum_;
     Report report;
     scalarField excess(solids.size(), Zero); // volume [m3]
@@ -41,6 +43,7 @@ VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids) const
         if (solids[celli] > most)
         {
             excess[celli] = (solids[celli] - most)*volumes_[celli];
+            handedOn_.push_back({celli, 1 - most/solids[celli]});
             solids[celli] = most;
             total += excess[celli];
             ++report.cells;
@@ -67,8 +70,9 @@ VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids) const
 // One round: each cell's excess goes to its face neighbours in proportion to their attraction; they
 // keep what fits. Returns what is left.
 double VoidFractionFloor::spread(scalarField& solids, scalarField& excess,
-    scalarField& attraction) const
+    scalarField& attraction)
 {
+    Round& record = rounds_.emplace_back();
     const double most = 1 - minimum_;
     const label own = halo_.nCells();
 
@@ -103,21 +107,38 @@ double VoidFractionFloor::spread(scalarField& solids, scalarField& excess,
     halo_.toGhosts(outgoing);
 
     scalarField arriving(own, Zero);
+    const auto send = [&](label from, label to)
+    {
+        if (excess[from] > 0 && around[from] > VSMALL)
+        {
+            record.transfers.push_back({from, to, outgoing[to][0]/around[from]});
+        }
+    };
     for (const CellHalo::Link& link : halo_.links())
     {
         arriving[link.cell] += outgoing[link.other][1]*outgoing[link.cell][0];
+        send(link.cell, link.other);
         if (link.internal)
         {
             arriving[link.other] += outgoing[link.cell][1]*outgoing[link.other][0];
+            send(link.other, link.cell);
         }
     }
     double left = 0;
     for (label celli = 0; celli < own; ++celli)
     {
-        const double kept = around[celli] > VSMALL ? 0 : excess[celli];
-        const double volume = solids[celli]*volumes_[celli] + arriving[celli] + kept;
+        if (excess[celli] > 0 && around[celli] <= VSMALL)
+        {
+            arriving[celli] += excess[celli]; // nowhere to go
+            record.transfers.push_back({celli, celli, 1});
+        }
+        const double volume = solids[celli]*volumes_[celli] + arriving[celli];
         solids[celli] = min(volume/volumes_[celli], most);
         excess[celli] = max(volume - most*volumes_[celli], scalar(0));
+        if (excess[celli] > 0)
+        {
+            record.kept.push_back({celli, 1 - min(excess[celli]/arriving[celli], 1.0)});
+        }
         left += excess[celli];
     }
     reduce(left, sumOp<double>());

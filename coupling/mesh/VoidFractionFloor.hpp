@@ -9,6 +9,9 @@ namespace interstice
 /// Keeps the void fraction of every cell at or above a floor by handing what is too much to
 /// neighbouring cells that have room. Powder volume is conserved; what finds no room anywhere
 /// stays where it is cut off and is reported, never dropped in silence.
+///
+/// The powder of a cell is mixed: each grain in it is moved in the same shares. So what acts on the
+/// cells that the air sees it in acts on the grain, by adjoint().
 class VoidFractionFloor
 {
 public:
@@ -27,18 +30,84 @@ public:
     void close(const Foam::scalarList& open) { open_ = open; }
 
     /// Collective. `solids`: volume fraction of powder, nCells long; changed in place.
-    Report apply(Foam::scalarField& solids) const;
+    Report apply(Foam::scalarField& solids);
+
+    /// Collective. The adjoint of the last apply() as a map of volumes: of `values` (intensities, nCells
+    /// long, changed in place) each cell gets the mean over the cells that hold its powder. Cut off
+    /// powder gets zero. The sum of volume times value is the same before apply() and after it.
+    template<unsigned N>
+    void adjoint(Foam::List<Packed<N>>& values) const;
 
     double minimum() const { return minimum_; }
 
 private:
+    struct CellShare
+    {
+        Foam::label cell;
+        double share;
+    };
+    struct Transfer
+    {
+        Foam::label from; // own
+        Foam::label to; // compact
+        double share; // of the excess of `from`
+    };
+    struct Round
+    {
+        std::vector<Transfer> transfers;
+        std::vector<CellShare> kept; // of what arrives; all of it in cells that are not listed
+    };
+
     double spread(Foam::scalarField& solids, Foam::scalarField& excess,
-        Foam::scalarField& attraction) const;
+        Foam::scalarField& attraction);
 
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;
     double minimum_;
     Foam::scalarList open_;
+    std::vector<CellShare> handedOn_; // of what was deposited
+    std::vector<Round> rounds_;
 };
+
+template<unsigned N>
+void VoidFractionFloor::adjoint(Foam::List<Packed<N>>& values) const
+{
+    if (rounds_.empty())
+    {
+        return;
+    }
+    const auto blend = [](const Packed<N>& a, double share, const Packed<N>& b)
+    {
+        Packed<N> both;
+        for (unsigned n = 0; n < N; ++n)
+        {
+            both[n] = (1 - share)*a[n] + share*b[n];
+        }
+        return both;
+    };
+    // What the excess of each cell will see from a round on. From the last round: nothing.
+    Foam::List<Packed<N>> excess(halo_.nCells(), Packed<N>(Foam::Zero));
+    for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round)
+    {
+        Foam::List<Packed<N>> arriving(values);
+        for (const CellShare& part : round->kept)
+        {
+            arriving[part.cell] = blend(excess[part.cell], part.share, values[part.cell]);
+        }
+        halo_.toGhosts(arriving);
+        excess = Packed<N>(Foam::Zero);
+        for (const Transfer& transfer : round->transfers)
+        {
+            for (unsigned n = 0; n < N; ++n)
+            {
+                excess[transfer.from][n] += transfer.share*arriving[transfer.to][n];
+            }
+        }
+    }
+    for (const CellShare& part : handedOn_)
+    {
+        values[part.cell] = blend(values[part.cell], part.share, excess[part.cell]);
+    }
+}
 
 } // namespace interstice

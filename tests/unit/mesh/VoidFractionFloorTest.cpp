@@ -28,6 +28,22 @@ protected:
         return VoidFractionFloor(mesh(), halo(), minimum).apply(solids);
     }
 
+    static scalarField adjoint(const VoidFractionFloor& floor, const scalarField& values)
+    {
+        Foam::List<Packed<1>> packed(values.size());
+        forAll(values, cell)
+        {
+            packed[cell][0] = values[cell];
+        }
+        floor.adjoint(packed);
+        scalarField seen(values.size());
+        forAll(values, cell)
+        {
+            seen[cell] = packed[cell][0];
+        }
+        return seen;
+    }
+
     /// A bed of 0.55 that fills the mesh, in which two clusters overlap twice: 0.9. They lie
     /// across the middle of the mesh in x and in y, where it is cut for more than one rank.
     static scalarField overlapped()
@@ -164,6 +180,52 @@ TEST_F(VoidFractionFloorTest, LosesNothingBetweenWhatItMovesAndWhatItReports)
     EXPECT_LE(Foam::gMax(solids), most + 1e-15);
     EXPECT_GT(report.clipped, 0);
     EXPECT_NEAR(total(solids) + report.clipped, before, 1e-12*before);
+}
+
+// What acts on the cells acts on the powder that was moved to them: sum of volume times value.
+TEST_F(VoidFractionFloorTest, AdjointKeepsTheForceOnWhatIsMoved)
+{
+    const scalarField values(1 + mesh().C().primitiveField().component(0)*1e3
+        + Foam::sqr(mesh().C().primitiveField().component(2)*1e3));
+    const scalarField deposited = overlapped();
+    scalarField solids = deposited;
+    VoidFractionFloor floor(mesh(), halo(), minimum);
+
+    floor.apply(solids);
+
+    const scalarField seen = adjoint(floor, values);
+    EXPECT_GT(Foam::gMax(Foam::mag(seen - values)), 0.1);
+    const scalar force = total(solids*values);
+    EXPECT_NEAR(total(deposited*seen), force, 1e-12*force);
+    EXPECT_GT(std::abs(total(deposited*values) - force), 1e-4*force) << "nothing to see here";
+    compareWithOneRank("adjoint", mesh(), seen, 1e-12);
+}
+
+// Powder that is cut off is not seen by the air, and does not feel it.
+TEST_F(VoidFractionFloorTest, AdjointGivesNothingToWhatIsCutOff)
+{
+    const scalarField values(mesh().nCells(), 2.0);
+    scalarField solids(mesh().nCells(), 0.9);
+    VoidFractionFloor floor(mesh(), halo(), minimum);
+
+    floor.apply(solids);
+
+    const scalarField seen = adjoint(floor, values);
+    EXPECT_NEAR(Foam::gMin(seen), 2*most/0.9, 1e-12);
+    EXPECT_NEAR(Foam::gMax(seen), 2*most/0.9, 1e-12);
+}
+
+// The map is that of the last deposit: none is left when nothing is too much.
+TEST_F(VoidFractionFloorTest, AdjointForgetsTheDepositBefore)
+{
+    scalarField solids = overlapped();
+    VoidFractionFloor floor(mesh(), halo(), minimum);
+    floor.apply(solids);
+    solids = 0.5;
+    floor.apply(solids);
+
+    const scalarField values(mesh().C().primitiveField().component(1));
+    EXPECT_EQ(adjoint(floor, values), values);
 }
 
 } // namespace
