@@ -30,7 +30,7 @@ class TimeStepChoice;
 ///
 /// All member functions are collective unless said otherwise. Errors of the user's making are
 /// InputErrors, thrown on all ranks. Keys of constant/couplingProperties: see the README of
-/// foam_cases/dieFilling and the readers in CoupledPowder.cpp and TimeStepChoice.hpp.
+/// foam_cases/dieFilling and the readers in CoupledPowderSetup.cpp and TimeStepChoice.hpp.
 class CoupledPowder
 {
 public:

@@ -38,6 +38,17 @@ keys = [
             [TRANSPORT, "no key rho", "Is rhoo a misspelt rho?"]),
 ]
 
+# Has the dimensions of a velocity.
+BODY_FORCE = """FoamFile { version 2.0; format ascii; class volVectorField; object bodyForce; }
+dimensions      [0 1 -1 0 0 0 0];
+internalField   uniform (1 0 0);
+boundaryField
+{
+    ".*"            { type zeroGradient; }
+    "proc.*"        { type processor; value uniform (1 0 0); }
+}
+"""
+
 names = [
     coupling("unknown drag law", "GidaspowHuilin", "GidaspowHulin", "found   GidaspowHulin",
              "KochHill", "Beetstra", "Did you mean GidaspowHuilin?", "key law"),
@@ -84,6 +95,8 @@ values = [
             ["found   [0 2 -2 0 0 0 0]", "wanted  [0 1 -1 0 0 0 0]", "0/U"]),
     Mistake("dimensions of p", ("0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]"),
             ["found   [1 -1 -2 0 0 0 0]", "wanted  [0 2 -2 0 0 0 0]", "0/p"]),
+    Mistake("dimensions of bodyForce", ("0/bodyForce", None, BODY_FORCE),
+            ["found   [0 1 -1 0 0 0 0]", "wanted  [0 1 -2 0 0 0 0]", "0/bodyForce"]),
 ]
 
 files = [

@@ -16,7 +16,8 @@ PATIENCE = 20  # seconds; whatever takes longer hangs
 class Mistake:
     """One thing done wrong, and the words of the message that it must get.
 
-    edits: (file, text, replacement) each; replacement None removes the file. command: replaces the
+    edits: (file, text, replacement) each; replacement None removes the file, text None
+    makes a new one. command: replaces the
     solver's arguments. state: the run has to leave its last good state on disk.
     """
 
@@ -34,7 +35,12 @@ class Mistake:
         shutil.copytree(prepared, folder)
         for name, text, replacement in self.edits:
             # Fields lie in the folders of the ranks, too.
-            paths = [p for p in [folder/name, *folder.glob(f"processor*/{name}")] if p.is_file()]
+            roots = [folder, *folder.glob("processor*")]
+            if text is None:
+                for root in roots:
+                    (root/name).write_text(replacement)
+                continue
+            paths = [root/name for root in roots if (root/name).is_file()]
             if not paths:
                 sys.exit(f"{self.name}: the base case has no file {name}")
             for path in paths:

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the case is read and the powder comes to lie on the mesh.
+#include "coupling/Checkpoint.hpp"
+#include "coupling/CoupledPowder.hpp"
+#include "coupling/ScriptFiles.hpp"
+#include "coupling/TimeStepChoice.hpp"
+#include "coupling/dem/DemEngine.hpp"
+#include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/laws/InputError.hpp"
+#include "coupling/mesh/Parameters.hpp"
+
+#include "IOdictionary.H"
+
+#include <algorithm>
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+IOdictionary couplingProperties(const fvMesh& mesh)
+{
+    return IOdictionary(IOobject("couplingProperties", mesh.time().constant(), mesh,
+        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE, false));
+}
+
+PowderOnMesh::Settings meshSettings(const dictionary& dict, double coarseGraining)
+{
+    using Range = Parameters::Range;
+    const Parameters p(dict);
+    PowderOnMesh::Settings s;
+    s.deposit = p.name("deposit", s.deposit);
+    s.smoothingWidth = p.number("smoothingWidth", "m", Range::notNegative, 0);
+    s.minimumVoidFraction = p.number("minimum", "", Range::fraction, s.minimumVoidFraction);
+    s.minimumDragVoidFraction =
+        p.number("minimumForDrag", "", Range::fraction, s.minimumDragVoidFraction);
+    s.coarseGraining = coarseGraining;
+    s.where = p.where("deposit");
+    p.allKnown();
+    return s;
+}
+
+std::unique_ptr<DragLaw> dragLaw(const dictionary& dict)
+{
+    const Parameters p(dict);
+    DragOptions options;
+    options.sphericity = p.number("sphericity", "", Parameters::Range::positive, 1);
+    options.cleanBlend = p.flag("cleanBlend", false);
+    const word law = p.name("law", dragLaws().front().name);
+    p.allKnown();
+    return makeDragLaw(law, options, p.where("law"));
+}
+
+} // namespace
+
+CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField& nu,
+    StageClock& clock)
+:
+    mesh_(mesh),
+    clock_(clock),
+    density_(density),
+    lightest_(GREAT),
+    state_(mesh)
+{
+    const IOdictionary dict(couplingProperties(mesh));
+    const Parameters p(dict);
+    hasAir_ = p.flag("air", true);
+    const dictionary& powder = p.group("powder");
+    coarseGraining_ = Parameters(powder).number(
+        "coarseGraining", "", Parameters::Range::positive, 1);
+
+    onMesh_ = std::make_unique<PowderOnMesh>(
+        mesh, meshSettings(p.sub("voidFraction"), coarseGraining_), dragLaw(p.sub("drag")));
+    solids_ = std::make_unique<SolidsOnMesh>(mesh);
+    timeStep_ = std::make_unique<TimeStepChoice>(
+        const_cast<Time&>(mesh.time()), p.sub("timeStep"));
+    exchange_ = std::make_unique<ParticleExchange>(MPI_COMM_WORLD, onMesh_->locator().bounds());
+
+    const std::optional<Checkpoint> before = checkpoint();
+    {
+        StageClock::Scope timed(clock_, Stage::dem);
+        openDem(powder, before ? &*before : nullptr);
+    }
+    readSolids(p.sub("solids"));
+    p.allGroupsKnown();
+    checkScene();
+    checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),
+        Parameters(p.sub("voidFraction")).where("smoothingWidth"));
+
+    // The powder as it lies, so that the first d(alpha)/dt starts from it.
+    moveSolids(0);
+    placeParcels(0);
+    checkPowderInMesh();
+    onMesh_->depositVolume();
+    const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
+        dimensionedVector(dimVelocity, Zero));
+    onMesh_->depositDrag(atRest, density_, nu, mesh.time().deltaTValue());
+    response_ = onMesh_->report().shortestResponse;
+    refreshState();
+    state_.initialMass = record().mass;
+    if (before)
+    {
+        resume(*before);
+    }
+}
+
+void CoupledPowder::openDem(const dictionary& dict, const Checkpoint* before)
+{
+    const Parameters p(dict);
+    p.number("coarseGraining", "", Parameters::Range::positive, 1);
+    const fileName script = findScript(p.text("script"), mesh_.time(), p.where("script"));
+    DemOptions options;
+    options.logFile = before ? "log.liggghts." + mesh_.time().timeName() : "log.liggghts";
+    options.screenFile = options.logFile + ".screen";
+    if (p.has("parameters"))
+    {
+        options.variables =
+            numbersIn(mesh_.time().globalPath()/p.text("parameters"), p.where("parameters"));
+    }
+    const bool wantsWalls = p.flag("walls", true);
+    checkpoints_ = p.flag("checkpoints", true);
+    p.allKnown();
+    options.variables["case"] = mesh_.time().globalPath();
+    options.variables["scripts"] = script.path();
+    options.variables["ranks"] = Foam::name(Pstream::nProcs());
+    options.variables["resume"] = before ? "1" : "0";
+    options.variables["checkpoint"] = before ? Checkpoint::particlesOf(mesh_.time()) : "none";
+
+    dem_ = std::make_unique<DemEngine>(MPI_COMM_WORLD, options);
+    dem_->runScript(script);
+    if (before)
+    {
+        dem_->couple(before->dem);
+    }
+    else
+    {
+        dem_->couple();
+    }
+    if (wantsWalls && !dem_->hasWalls())
+    {
+        throw InputError({"Powder needs walls to rest on.", "no fix wall/gran in " + script,
+            "a wall, or walls off", p.where("walls"),
+            "Add fix ... wall/gran to the script, or set walls off if nothing shall hold the "
+            "powder."});
+    }
+}
+
+void CoupledPowder::readSolids(const dictionary& dict)
+{
+    for (const word& name : dict.toc())
+    {
+        const Parameters p(dict.subDict(name));
+        const std::string wall = p.text("wall", string(name));
+        const std::vector<std::string> walls = dem_->meshWalls();
+        if (std::find(walls.begin(), walls.end(), wall) == walls.end())
+        {
+            throw unknownName("mesh wall of the LIGGGHTS script", wall, walls, p.where("wall"));
+        }
+        const fileName surface = mesh_.time().globalPath()/p.text("surface");
+        const bool seen = p.flag("seenByAir", true);
+        p.allKnown();
+        if (seen && hasAir_)
+        {
+            solids_->add(
+                std::make_unique<MovingSolid>(mesh_, name, surface, p.where("surface")));
+            solidWalls_.push_back(wall);
+        }
+    }
+}
+
+} // namespace interstice
