@@ -58,8 +58,15 @@ private:
         std::vector<CellShare> kept; // of what arrives; all of it in cells that are not listed
     };
 
-    double spread(Foam::scalarField& solids, Foam::scalarField& excess,
-        Foam::scalarField& attraction);
+    struct Pull
+    {
+        Foam::List<Packed<1>> of; // each cell, own and ghosts [m3]
+        Foam::scalarField strongest; // of its neighbours
+        Foam::scalarField around; // sum of its neighbours
+    };
+
+    Pull pull(const Foam::scalarField& solids, const Foam::scalarField& behind) const;
+    double spread(Foam::scalarField& solids, Foam::scalarField& excess, Foam::scalarField& behind);
 
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;

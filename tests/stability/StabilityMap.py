@@ -19,9 +19,10 @@ from slices import CHOSEN, slices  # noqa: E402
 from verdict import MARGIN, judge  # noqa: E402
 
 STABLE = (("density", CHOSEN, 10), ("density", 0.1, 10000), ("density", 0.9, 1000),
-          ("density", 0.3, 1.1), ("density", 0.9, 2.5), ("densityFree", CHOSEN, 1.5),
+          ("density", 0.3, 1.1), ("density", 0.9, 2.5),
+          ("density", CHOSEN, 1.1), ("densityFree", CHOSEN, 1.5),
           ("densityFree", 0.3, 100), ("void", 0.9, 0.26), ("void", CHOSEN, 0.6), ("void", 0.3, 0.999),
-          ("k", 0.3, 1), ("k", CHOSEN, 20), ("size", 0.1, 0.4), ("size", 1, 0.4),
+          ("k", 0.3, 1), ("k", CHOSEN, 20), ("size", 0.1, 0.4), ("size", 1, 0.4), ("size", 1, 0.26),
           ("sizeSmoothed", 1, 0.26), ("sizeSmoothed", 4, 0.4), ("box", CHOSEN, 1),
           ("shoe", 0.5, 0.01), ("shoe", CHOSEN, 0.15), ("shoe", 2, 5), ("shoeFilled", 0.6, 5))
 STEP, WALL = "The fixed coupling step is unstable", "A solid must be at least two cells thick"
