@@ -24,20 +24,27 @@ plt.rcParams.update({"font.size": 9, "axes.edgecolor": ink, "axes.labelcolor": i
 
 def draw(table, chosen, lines):
     fig, axes = plt.subplots(figsize=(WIDTH, 0.75*WIDTH), layout="constrained")
-    scale = shownAs.scale(table.about.get(chosen.y, {}))
-    for i, (name, points) in enumerate(lines):
-        x, y, error = zip(*points)
-        colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
-        axes.errorbar(x, [scale*value for value in y], [scale*value for value in error],
-                      color=colour, marker=marker, ls=DASHES[i % len(DASHES)], lw=1.1, ms=4.5,
-                      mec="white", mew=0.4, capsize=2.5, elinewidth=0.9, clip_on=False,
-                      label=table.nameOf(chosen.lines, name) if chosen.lines else None)
+    plot(axes, table, chosen, lines)
     axes.set(xlabel=table.label(chosen.x), ylabel=fill(table.label(chosen.y), 32))
     axes.ticklabel_format(axis="both", scilimits=(-3, 4), useMathText=True)
     axes.margins(0.06)
     if chosen.lines:
         axes.legend(frameon=False, fontsize=8, handlelength=2.8)
     return fig
+
+
+def plot(axes, table, chosen, lines):
+    """Lines with error bars, in the order that they have: the same colour and mark in any panel."""
+    scale = shownAs.scale(table.about.get(chosen.y, {}))
+    for i, (name, points) in enumerate(lines):
+        if not points:
+            continue
+        x, y, error = zip(*points)
+        colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
+        axes.errorbar(x, [scale*value for value in y], [scale*value for value in error],
+                      color=colour, marker=marker, ls=DASHES[i % len(DASHES)], lw=1.1, ms=4.5,
+                      mec="white", mew=0.4, capsize=2.5, elinewidth=0.9, clip_on=False,
+                      label=table.nameOf(chosen.lines, name) if chosen.lines else None)
 
 
 def save(fig, name):

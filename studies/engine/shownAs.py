@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers as files and people read them; a measure may say that it is shown in %."""
+"""Numbers as files and people read them; a measure may say that it is shown in % or mm3/s."""
 
+SHOWN = {"%": 100, "mm3/s": 1e9}
 PREFIXES = ((1, "m"), (1e-3, "mm"), (1e-6, "um"), (1e-9, "nm"))
 
 
@@ -14,7 +15,7 @@ def isNumber(value):
 
 
 def scale(about):
-    return 100 if about.get("shown") == "%" else 1
+    return SHOWN.get(about.get("shown"), 1)
 
 
 def unit(about):

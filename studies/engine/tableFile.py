@@ -2,6 +2,7 @@
 """A study's table.csv: what of it belongs into a figure, and what its columns are called."""
 import csv
 import json
+import math
 import re
 
 import shownAs
@@ -113,6 +114,10 @@ def lines(table, chosen):
                 continue  # nothing was found there
             raise BadInput(f"'{chosen.x if isinstance(x, str) else chosen.y}' is no number in "
                            f"{table.name}, it is '{x if isinstance(x, str) else y}'.")
+        if not (math.isfinite(x) and math.isfinite(y)):
+            raise BadInput(f"'{chosen.y if math.isfinite(x) else chosen.x}' is not finite in "
+                           f"{table.name}, variant '{row.get('variant', '')}': choose other rows by "
+                           "--where, or empty that cell.")
         other = at.setdefault((line, round(x, 12)), row)
         if other is not row:
             raise BadInput(f"Two rows of {table.name} lie at {chosen.x} = {x:g} on one line; they "

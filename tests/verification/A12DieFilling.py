@@ -47,7 +47,8 @@ class Slice:
         path = f"{pathlib.Path(self.bench.solver).parent}:{os.environ['PATH']}"
         done = subprocess.run([str(w) for w in words], cwd=folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              env={**os.environ, "PATH": path})
+                              env={**os.environ, "PATH": path,
+                                   "INTERSTICE_BED_STORE": str(self.bench.work/"beds")})
         if done.returncode:
             sys.exit(f"{self.name}: {words[0]} failed\n" + done.stdout[-3000:])
 

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The powder's surface in the die at the end, for each k, from the folders of runs that were kept."""
+import csv
+import json
+import math
+import re
+import statistics
+import struct
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+import figures as engine
+from badInput import BadInput
+from tableFile import number
+
+BINS = 10  # as many as the function object surfaceSlope has
+LIST = re.compile(rb"\n(\d+)\s*\(\s?")
+
+
+def draw(table, chosen, study):
+    found = profiles(table, chosen, study)
+    fig, axes = plt.subplots(figsize=(engine.WIDTH, 0.75*engine.WIDTH), layout="constrained")
+    length, depth = (1e3*next(iter(found.values()))[0][key] for key in ("dieLength", "dieDepth"))
+    wall = dict(color="0.75", lw=0, zorder=0)
+    edge = 0.06*length
+    for x, width, z, height in ((-edge, edge, -depth, depth), (length, edge, -depth, depth),
+                                (-edge, length + 2*edge, -depth - edge, edge)):
+        axes.add_patch(plt.Rectangle((x, z), width, height, **wall))
+    for i, (k, (_, surfaces)) in enumerate(sorted(found.items())):
+        x, z, error = averaged(surfaces, length/BINS)
+        axes.errorbar(x, z, error, color=engine.COLOURS[i % 7], marker=engine.MARKERS[i % 7],
+                      ls=engine.DASHES[i % 7], lw=1.1, ms=4, mec="white", mew=0.4, capsize=2,
+                      elinewidth=0.8, label=f"$k$ = {k:g}")
+    axes.set(xlabel="$x$ [mm]", ylabel="surface height $z$ [mm]", xlim=(-edge, length + edge),
+             ylim=(-depth - edge, 0.32*depth))
+    axes.legend(frameon=False, fontsize=8, handlelength=2.8, ncol=2, loc="upper center")
+    return fig
+
+
+def averaged(surfaces, width):
+    """Over the packings [mm]: middle of each bin, height, its standard error."""
+    x, z, error = [], [], []
+    for number in range(BINS):
+        heights = [1e3*surface[number] for surface in surfaces if surface[number] is not None]
+        if heights:
+            x.append((number + 0.5)*width)
+            z.append(statistics.fmean(heights))
+            error.append(statistics.stdev(heights)/math.sqrt(len(heights)) if len(heights) > 1 else 0)
+    return x, z, error
+
+
+def profiles(table, chosen, study):
+    """k -> (parameters, [heights of each bin of a packing])."""
+    folder = chosen.table.resolve().parent
+    missing = f"the study {study} with 'keep: yes' keeps what is needed."
+    try:
+        plan = json.loads((folder/"plan.json").read_text())
+        with open(folder/"runs.csv", newline="") as file:
+            runs = list(csv.DictReader(file))
+    except (OSError, ValueError):
+        raise BadInput(f"there is no whole plan.json and runs.csv beside {table.name}; {missing}")
+    wanted = {row["variant"] for row in table.chosen(chosen.where)}
+    found = {}
+    for run in runs:
+        home = Path(plan["case"])/f"variants/{plan['study']}.{run['id']}"
+        if run["status"] != "ok" or run["variant"] not in wanted or not home.is_dir():
+            continue
+        parameters = {key: number(value) for key, value in run.items()}
+        others = found.setdefault(parameters["coarseGraining"], (parameters, []))
+        alone(others[0], parameters)
+        others[1].append(surface(parcels(home), parameters))
+    if not found:
+        raise BadInput(f"no folder of a run of {table.name} is kept; {missing}")
+    return found
+
+
+def alone(one, other):
+    keys = list(one)
+    keys = keys[keys.index("variant") + 1:keys.index("status")]
+    differ = [key for key in keys if one[key] != other[key] and key not in ("seed", "packing")]
+    if differ:
+        raise BadInput(f"Kept runs of one coarseGraining differ in {', '.join(differ)}: choose by "
+                       f"--where {differ[0]}=VALUE.")
+
+
+def surface(points, p):
+    """The highest point of a parcel in each bin, as surfaceSlope takes it."""
+    radius = 0.5*p["coarseGraining"]*p["particleDiameter"]
+    heights = [None]*BINS
+    for x, _, z in points:
+        if 0 <= x <= p["dieLength"] and -p["dieDepth"] <= z <= 0:
+            number = min(int(x/p["dieLength"]*BINS), BINS - 1)
+            if heights[number] is None or z + radius > heights[number]:
+                heights[number] = z + radius
+    return heights
+
+
+def parcels(home):
+    """Positions at the last time, of all ranks."""
+    ranks = sorted(home.glob("processor[0-9]*")) or [home]
+    times = [path.name for path in ranks[0].iterdir() if isTime(path.name)]
+    last = max(times, key=float, default=None)
+    files = [rank/last/"lagrangian/powder/positions" for rank in ranks if last]
+    points = [point for path in files if path.is_file() for point in positions(path)]
+    if not points:
+        raise BadInput(f"The folder {home} holds no powder at its last time "
+                       f"({last or 'there is none'}): run that variant again.")
+    return points
+
+
+def isTime(name):
+    try:
+        return float(name) > 0
+    except ValueError:
+        return False
+
+
+def positions(path):
+    """Of OpenFOAM's list '(x y z) cell', written in binary or as text."""
+    content = path.read_bytes()
+    start = content.find(b"// * *")
+    found = LIST.search(content, start) if start >= 0 else None
+    if found is None:
+        return []
+    count, at = int(found[1]), found.end()
+    try:
+        if re.search(rb"format\s+binary", content[:start]):
+            return binary(content, at, count)
+        lines = content[at:].decode().split("\n")[:count]
+        return [tuple(map(float, line[1:line.index(")")].split())) for line in lines]
+    except (ValueError, struct.error):
+        raise BadInput(f"The file {path} is torn: run that variant again.")
+
+
+def binary(content, at, count):
+    """Three doubles and a label in brackets, each on a line of its own."""
+    points = []
+    for _ in range(count):
+        at = content.index(b"(", at) + 1
+        points.append(struct.unpack_from("<3d", content, at))
+        at = content.index(b")", at + 28)
+    return points

@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pictures/heap.png: the box as it begins to rise, on its way, and the heap with the lines whose slopes are
+its angles.
+
+    ./plot.py [FOLDER]     of a run, as variants/NAME; without, of the run in this folder
+"""
+import sys
+from pathlib import Path
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import EllipseCollection
+
+case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root/"studies/calibration"))
+
+import scene
+import surfaceLine
+
+ink, red = "#22303c", "#b2182b"
+mm = 1e3
+plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
+                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
+                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+
+
+def draw(axes, grains):
+    """Parcels by speed, the ones in front last; those of the table in grey."""
+    order = np.argsort(grains["y"])
+    glued = grains["type"][order] == 2
+    size = 2*mm*grains["radius"][order]
+    places = mm*np.column_stack([grains["x"], grains["z"]])[order]
+    speed = np.hypot(grains["vx"], grains["vz"])[order]
+    drawn = None
+    for some, colours in ((glued, dict(facecolors="0.6")),
+                          (~glued, dict(array=speed[~glued], cmap="viridis", clim=(0, 0.1)))):
+        drawn = axes.add_collection(EllipseCollection(
+            size[some], size[some], 0*size[some], units="xy", offsets=places[some],
+            offset_transform=axes.transData, edgecolors="white", linewidths=0.15, **colours))
+    axes.set(aspect="equal", ylabel="z [mm]")
+    return drawn
+
+
+def main():
+    folder = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else case
+    lifted = scene.frames(folder, "lift")
+    heap = scene.dump(folder/"postProcessing/heap.dump")
+    powder = scene.powder(folder/"postProcessing/heap.dump")
+    found = surfaceLine.heap(*(powder[key] for key in ("x", "y", "z", "radius")))
+
+    states = [("the box begins to rise", scene.dump(lifted[0])), ("on its way", scene.dump(lifted[-2])),
+              (f"the heap: {found['left']:.1f} and {found['right']:.1f} degrees, "
+               f"{found['angle']:.1f} ± {found['error']:.1f}", heap)]
+    reach = mm*1.15*np.quantile(np.abs(powder["x"]), 0.998)
+    heights = [mm*max(grains["z"]) + 0.6 for _, grains in states]
+    fig, panels = plt.subplots(3, 1, figsize=(8, 8*sum(heights)/(2*reach) + 1.8), sharex=True,
+                               layout="constrained", height_ratios=heights)
+    for axes, (words, grains), height in zip(panels, states, heights):
+        drawn = draw(axes, grains)
+        axes.set(xlim=(-reach, reach), ylim=(-0.5, height))
+        axes.set_title(words, fontsize=10)
+    for (slope, foot), side in zip(found["lines"], (-1, 1)):
+        levels = np.array([0.2, 0.8])*found["height"]
+        panels[-1].plot(mm*(levels - foot)/slope, mm*levels, color=red, lw=2)
+    panels[-1].set_xlabel("x [mm]")
+    fig.colorbar(drawn, ax=panels, label="speed [m/s]", shrink=0.5)
+    (case/"pictures").mkdir(exist_ok=True)
+    fig.savefig(case/"pictures/heap.png")
+    print(f"static angle of repose {found['angle']:.2f} +- {found['error']:.2f} deg (left "
+          f"{found['left']:.2f}, right {found['right']:.2f})\npicture: pictures/heap.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a study's table as choices of the numerics: what each is worth, and what it takes.
+
+A *knob* is a parameter that some variants change alone against the reference. Standard errors of
+few packings are hardly known themselves, so that all rows' scatter is taken together.
+"""
+import math
+from dataclasses import dataclass, field
+
+from badInput import BadInput, nearest
+from shownAs import text
+from tableFile import number
+
+ENOUGH = 10  # packings from which on a row's own error is trusted
+
+
+@dataclass
+class Variant:
+    label: str
+    parameters: dict
+    changes: dict  # against the reference
+    seconds: float  # None if there is no good run
+    packings: int
+    values: dict = field(default_factory=dict)  # measure -> mean or None
+    errors: dict = field(default_factory=dict)  # measure -> standard error or None
+
+
+class Choices:
+    """The variants of a table, the reference among them, and the knobs."""
+
+    def __init__(self, table, reference=(), measures=None, knobs=None, trustErrors=False):
+        self.table = table
+        for column in ("variant", "status", "seconds"):
+            if column not in table.columns:
+                raise BadInput(f"{table.name} has no column '{column}': take the table.csv of a "
+                               "study, as studies/study writes it.")
+        self.measures = self.chosenMeasures(measures)
+        keys = table.columns[table.columns.index("variant") + 1:table.columns.index("status")]
+        self.variants = [self.variant(row, keys) for row in table.rows]
+        self.reference = self.chosenReference(reference)
+        for variant in self.variants:
+            variant.changes = {key: value for key, value in variant.parameters.items()
+                               if value != self.reference.parameters[key]}
+        self.knobs = self.chosenKnobs(knobs)
+        if knobs:
+            self.variants = [variant for variant in self.variants
+                             if all(key in self.knobs for key in variant.changes)]
+        self.pooled = {} if trustErrors else {key: self.pool(key) for key in self.measures}
+        self.pooled = {key: value for key, value in self.pooled.items() if value is not None}
+
+    def chosenMeasures(self, wanted):
+        there = [column[:-len(".error")] for column in self.table.columns
+                 if column.endswith(".error")]
+        for name in wanted or ():
+            if name not in there:
+                raise BadInput(f"{self.table.name} has no measure '{name}' with its error; "
+                               + nearest(name, there))
+        if not there:
+            raise BadInput(f"{self.table.name} has no measures (columns NAME and NAME.error): take "
+                           "the table.csv of a study, as studies/study writes it.")
+        return list(wanted or there)
+
+    def variant(self, row, keys):
+        parameters = {key: number(row[key]) for key in keys}
+        found = Variant(row["variant"], parameters, {}, self.cell(row, "seconds"),
+                        int(self.cell(row, "packings") or 0) if "packings" in row else 0)
+        for key in self.measures:
+            found.values[key] = self.cell(row, key)
+            found.errors[key] = self.cell(row, f"{key}.error")
+        return found
+
+    def cell(self, row, column):
+        word = row.get(column)
+        if column not in row:
+            raise BadInput(f"{self.table.name} has no column '{column}': make it again by "
+                           "studies/study FILE.yaml --tables-only.")
+        value = number(word or "")
+        if value == "":
+            return None
+        if isinstance(value, str) or not math.isfinite(value):
+            raise BadInput(f"{self.table.name}, variant '{row['variant']}': '{column}' is '{word}' "
+                           "and must be a finite number, or empty; run that variant again.")
+        return value
+
+    def chosenReference(self, conditions):
+        rows = self.table.rows
+        if conditions:
+            rows = self.table.chosen(conditions)
+        else:
+            # studies/study leaves the differences of the reference empty.
+            empty = [row for row in rows if row["status"] in ("ok", "partly") and all(
+                row.get(f"{key}.difference") == "" for key in self.measures)]
+            rows = empty if len(empty) == 1 else [self.middle()]
+        if len(rows) > 1:
+            raise BadInput(f"{len(rows)} rows of {self.table.name} have {' '.join(conditions)}: the "
+                           "reference must be one; add more key=value to --reference.")
+        found = next(v for row, v in zip(self.table.rows, self.variants) if row is rows[0])
+        if not found.seconds or all(value is None for value in found.values.values()):
+            raise BadInput(f"The reference '{found.label}' in {self.table.name} has no good run: run "
+                           "it (studies/study, --retry), or name another by --reference KEY=VALUE.")
+        return found
+
+    def middle(self):
+        """The row from which the most others differ in one parameter; the first of such."""
+        def around(one):
+            return sum(differences(one, other) == 1 for other in self.variants)
+        counts = [around(variant) for variant in self.variants]
+        return self.table.rows[counts.index(max(counts))]
+
+    def chosenKnobs(self, wanted):
+        found = {}
+        for variant in self.variants:
+            if len(variant.changes) == 1:
+                found.setdefault(next(iter(variant.changes)), []).append(variant)
+        if not found:
+            raise BadInput(f"No parameter of {self.table.name} is varied alone against the reference "
+                           f"'{self.reference.label}': a study with oneAtATime does that.")
+        for name in wanted or ():
+            if name not in found:
+                raise BadInput(f"'{name}' is not varied alone in {self.table.name}; "
+                               + nearest(name, found))
+        order = lambda variant, key: (isinstance(variant.changes[key], str), variant.changes[key])
+        return {key: sorted(variants, key=lambda v, k=key: order(v, k))
+                for key, variants in found.items() if not wanted or key in wanted}
+
+    def pool(self, measure):
+        """Standard deviation of one packing, of all rows together; None if each has enough."""
+        known = [variant for variant in self.variants
+                 if variant.errors[measure] is not None and variant.packings > 1]
+        if not known or all(variant.packings >= ENOUGH for variant in known):
+            return None
+        freedom = sum(variant.packings - 1 for variant in known)
+        squares = math.fsum((variant.packings - 1)*variant.packings*variant.errors[measure]**2
+                            for variant in known)
+        return math.sqrt(squares/freedom)
+
+    def error(self, variant, measure):
+        """Standard error of a mean, or None."""
+        if measure in self.pooled and variant.packings:
+            return self.pooled[measure]/math.sqrt(variant.packings)
+        return variant.errors[measure]
+
+    def timeRatio(self, variant):
+        return variant.seconds/self.reference.seconds if variant.seconds else None
+
+    def nameOf(self, variant):
+        return " ".join(f"{key}={text(value)}" for key, value in variant.changes.items()) or "reference"
+
+
+def differences(one, other):
+    return sum(value != other.parameters[key] for key, value in one.parameters.items())

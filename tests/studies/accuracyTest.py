@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What accuracy costs: on tables whose answers are known, and on some that cannot be judged."""
+import contextlib
+import csv
+import io
+import math
+import random
+import statistics
+import subprocess
+import sys
+import tempfile
+import unittest
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT/"studies/accuracy"
+
+
+def loaded():
+    loader = SourceFileLoader("accuracyProgram", str(PROGRAM))
+    module = module_from_spec(spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+program = loaded()  # which makes the modules below known
+
+import accuracyFit
+import accuracyJudge
+import accuracyReport
+import tableFile
+from accuracyTable import Choices
+from badInput import BadInput
+
+BASE = dict(cellSize=6e-4, couplingNumber=0.2, smoothingDiameters=2, dragLaw="Huilin")
+HEAD = ["variant", *BASE, "status", "packings", "filling", "filling.error", "seconds"]
+
+
+def row(filling, error=0.01, seconds=600.0, packings=10, status="ok", **changes):
+    label = " ".join(f"{key}={value}" for key, value in changes.items()) or "base"
+    return {"variant": label, **BASE, **changes, "status": status, "packings": packings,
+            "filling": filling, "filling.error": error, "seconds": seconds}
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.work = Path(folder.name)
+
+    def write(self, rows):
+        path = self.work/"table.csv"
+        with open(path, "w", newline="") as file:
+            writer = csv.DictWriter(file, list(rows[0]) if rows else HEAD)
+            writer.writeheader()
+            writer.writerows(rows)
+        return path
+
+    def choices(self, rows, **options):
+        return Choices(tableFile.Table(self.write(rows)), **options)
+
+
+class Richardson(unittest.TestCase):
+    def testRecoversTheLimitOfExactData(self):
+        """y = 0.6 + C h^p, of cell sizes in metres: h^2 is 1e-7 of y."""
+        for order, c in ((1, 83.0), (2, 1.3e5)):
+            points = [(h, 0.6 + c*h**order, 0.01) for h in (3e-4, 4e-4, 6e-4, 7.5e-4)]
+            fit = accuracyFit.fit(points, order)
+            self.assertAlmostEqual(fit.limit, 0.6, 14)
+            self.assertAlmostEqual(fit.errorOf(6e-4)[0]/(c*6e-4**order), 1, 11)
+            self.assertLess(fit.chiSquare, 1e-20)
+
+    def testTellsErrorsByHand(self):
+        """h = 1, 2, 3 with errors 0.1: mean 2, spread 2; C +- 0.1/sqrt(2), y0 +- 0.1 sqrt(1/3 + 2)."""
+        fit = accuracyFit.fit([(1, 1.0, 0.1), (2, 2.0, 0.1), (3, 3.0, 0.1)], 1)
+        self.assertAlmostEqual(fit.coefficientError, 0.1/math.sqrt(2), 12)
+        self.assertAlmostEqual(fit.limitError, 0.1*math.sqrt(7/3), 12)
+        self.assertAlmostEqual(fit.between(3, 1)[0], 2, 12)
+        self.assertAlmostEqual(fit.between(3, 1)[1], 0.2/math.sqrt(2), 12)
+
+    def testWeighsByErrors(self):
+        """A point of a large error hardly counts: the other three lie on 1 + h."""
+        points = [(1, 2, 1e-3), (2, 3, 1e-3), (3, 4, 1e-3), (4, 9, 1e3)]
+        self.assertAlmostEqual(accuracyFit.fit(points, 1).limit, 1, 6)
+
+    def testHoldsTheLimitWithinTwoErrorsAsOftenAsItShould(self):
+        """95.4 % of 2000 draws; 1 % is two standard deviations of that."""
+        random.seed(20250714)
+        errors = (0.01, 0.02, 0.005, 0.01)
+        hits = 0
+        for _ in range(2000):
+            points = [(h, random.gauss(0.6 + 0.1*h*h, error), error)
+                      for h, error in zip((0.5, 1, 1.5, 2), errors)]
+            fit = accuracyFit.fit(points, 2)
+            hits += abs(fit.limit - 0.6) < 2*fit.limitError
+        self.assertTrue(0.94 < hits/2000 < 0.97, hits/2000)
+
+    def testSeesWhenTheOrderIsNotTheOne(self):
+        points = [(h, 0.6 + 0.1*h**3, 0.001) for h in (1, 2, 3, 4)]
+        fit = accuracyFit.fit(points, 1)
+        self.assertFalse(fit.holds)
+        self.assertGreater(fit.limitError, 0.02)  # and not the 0.001 of the points
+        self.assertTrue(accuracyFit.fit(points, 3).holds)
+
+    def testNeedsThreeValues(self):
+        self.assertIsNone(accuracyFit.fit([(1, 1.0, 0.1), (2, 2.0, 0.1), (2, 2.1, 0.1)], 1))
+
+    def testSaysNothingOfErrorsThatAreNotKnown(self):
+        fit = accuracyFit.fit([(1, 1.0, None), (2, 2.0, None), (3, 3.1, None)], 1)
+        self.assertAlmostEqual(fit.limit, -1/15, 12)
+        self.assertEqual((fit.limitError, fit.chiSquare, fit.errorOf(1)[1]), (None, None, None))
+
+
+class Differences(Tables):
+    def testAreResolvedAboveTwiceTheirCombinedError(self):
+        """sqrt(3^2 + 4^2) = 5, in thousandths."""
+        rows = [row(0.6, 0.003), row(0.6099, 0.004, cellSize=4e-4), row(0.6101, 0.004, cellSize=5e-4),
+                row("", "", "", 0, "failed", cellSize=8e-4), row(0.61, "", cellSize=7e-4),
+                row(0.6, 0.003, dragLaw="Felice")]
+        choices = self.choices(rows)
+        found = [accuracyJudge.difference(choices, variant, "filling")
+                 for variant in choices.knobs["cellSize"]]
+        self.assertEqual([one.verdict for one in found],
+                         ["not resolved", "resolved", "error not known", "no value"])
+        self.assertAlmostEqual(found[0].error, 0.005, 12)
+        self.assertEqual(accuracyJudge.Number(0.0, 0.0).verdict, "equal")
+        rows = accuracyReport.rows(choices)
+        self.assertEqual([(one["knob"], one["value"]) for one in rows],
+                         [("cellSize", "0.0004"), ("cellSize", "0.0005"), ("cellSize", "0.0007"),
+                          ("cellSize", "0.0008"), ("dragLaw", "Felice")])
+        self.assertEqual(rows[1]["filling.verdict"], "resolved")
+
+    def testTakeTheScatterOfFewPackingsTogether(self):
+        """Errors 0.01 and 0.03 of 3 packings: one packing scatters by
+        sqrt((2 * 3 * 1e-4 + 2 * 3 * 9e-4)/4) = 0.0387, a mean by 0.0387/sqrt(3) = 0.0224."""
+        rows = [row(0.6, 0.01, packings=3), row(0.7, 0.03, packings=3, cellSize=4e-4)]
+        choices = self.choices(rows)
+        for variant in choices.variants:
+            self.assertAlmostEqual(choices.error(variant, "filling"), 0.02236068, 7)
+        trusted = self.choices(rows, trustErrors=True)
+        self.assertEqual(trusted.error(trusted.reference, "filling"), 0.01)
+
+    def testOfScatterAloneAreSeldomResolved(self):
+        """19 variants of 3 packings without any effect: 4.6 % of normal differences are larger; the
+        common reference makes those of a table depend on each other. By own errors: 8.5 %."""
+        random.seed(7)
+        found = []
+        for _ in range(60):
+            rows = []
+            for i in range(19):
+                runs = [random.gauss(0.6, 0.01) for _ in range(3)]
+                rows.append(row(statistics.fmean(runs), statistics.stdev(runs)/math.sqrt(3),
+                                packings=3, **({"cellSize": 1e-4*i} if i else {})))
+            choices = self.choices(rows)
+            found += [accuracyJudge.difference(choices, variant, "filling").resolved
+                      for variant in choices.knobs["cellSize"]]
+        self.assertTrue(0.02 < statistics.fmean(found) < 0.075, statistics.fmean(found))
+
+
+    def testOfThreePackingsGiveTheLimitWithinTwoErrorsAsOftenAsTheyShould(self):
+        """0.5 + 200 h of 8 cell sizes in each table. Weighted by own errors: in 71 %."""
+        random.seed(11)
+        hits, sizes = 0, [6e-4, 3e-4, 4e-4, 5e-4, 7e-4, 8e-4, 9e-4, 1e-3]
+        for _ in range(150):
+            rows = []
+            for h in sizes:
+                runs = [random.gauss(0.5 + 200*h, 0.01) for _ in range(3)]
+                rows.append(row(statistics.fmean(runs), statistics.stdev(runs)/math.sqrt(3),
+                                packings=3, **({"cellSize": h} if h != 6e-4 else {})))
+            fit = accuracyJudge.fits(self.choices(rows), "filling", {"cellSize": 1})["cellSize"]
+            hits += abs(fit.limit - 0.5) < 2*fit.limitError
+        self.assertTrue(0.9 < hits/150 < 0.99, hits/150)
+
+
+class Reference(Tables):
+    ROWS = [row(0.5, dragLaw="Felice", cellSize=9e-4), row(0.6), row(0.61, cellSize=4e-4),
+            row(0.62, cellSize=5e-4)]
+
+    def testIsTheMiddleOfTheStar(self):
+        self.assertEqual(self.choices(self.ROWS).reference.label, "base")
+
+    def testIsWhatTheStudyTookOrWhatIsNamed(self):
+        own = [dict(one, **{"filling.difference": "" if i == 2 else 0.1})
+               for i, one in enumerate(self.ROWS)]
+        self.assertEqual(self.choices(own).reference.label, "cellSize=0.0004")
+        named = self.choices(self.ROWS, reference=["cellSize=5e-4"])
+        self.assertEqual(named.reference.label, "cellSize=0.0005")
+
+    def testMayHaveCombinationsBesideIt(self):
+        choices = self.choices(self.ROWS)
+        self.assertEqual({key: len(some) for key, some in choices.knobs.items()}, {"cellSize": 2})
+        self.assertEqual(choices.nameOf(choices.variants[0]), "cellSize=0.0009 dragLaw=Felice")
+
+
+class Front(Tables):
+    def testIsThatOfHand(self):
+        """The truth is the reference's 0.6, noise 0.002. Minutes and distance: 10 0 (the reference),
+        5 0.05, 7 0.03, 8 0.04 (beaten), 20 0.01 (beaten); 9 0.001, which counts as 0.002 like the
+        reference and so beats it; another law is not looked at."""
+        rows = [row(0.6, 0.001)]
+        for minutes, distance, changes in (
+                (5, 0.05, dict(cellSize=8e-4)), (7, -0.03, dict(cellSize=7e-4)),
+                (8, 0.04, dict(smoothingDiameters=1)), (20, 0.01, dict(smoothingDiameters=4)),
+                (9, 0.001, dict(couplingNumber=0.3, cellSize=5e-4)), (1, 0.0, dict(dragLaw="Felice"))):
+            rows.append(row(0.6 + distance, 0.001, 60.0*minutes, **changes))
+        choices = self.choices(rows)
+        all_ = accuracyJudge.front(choices, "filling", {})
+        self.assertEqual(len(all_), 6)
+        self.assertEqual({choice.name for choice in all_ if choice.best},
+                         {"cellSize=0.0008", "cellSize=0.0007", "cellSize=0.0005 couplingNumber=0.3"})
+        self.assertAlmostEqual(all_[0].noise, 0.002, 12)
+
+    def testTakesResolvedErrorsOfTheReferenceOffTheTruth(self):
+        """0.5 + 200 h: the reference 0.62 is 0.12 off; couplingNumber makes no resolved error."""
+        rows = [row(0.62, 0.01)] + [row(0.5 + 200*h, 0.01, cellSize=h) for h in (3e-4, 4e-4)]
+        rows += [row(0.621, 0.01, couplingNumber=0.1), row(0.619, 0.01, couplingNumber=0.4)]
+        choices = self.choices(rows)
+        found = accuracyJudge.fits(choices, "filling", accuracyFit.ORDERS)
+        self.assertEqual(list(found), ["cellSize", "couplingNumber"])
+        error = accuracyJudge.errorOfReference(choices, found["cellSize"], "cellSize")
+        self.assertAlmostEqual(error.value, 0.12, 12)
+        self.assertTrue(error.resolved)
+        other = accuracyJudge.errorOfReference(choices, found["couplingNumber"], "couplingNumber")
+        self.assertEqual(other.verdict, "not resolved")
+        best = accuracyJudge.truth(choices, "filling", found)
+        self.assertAlmostEqual(best.value, 0.5, 12)
+        self.assertAlmostEqual(best.error, error.error, 15)
+
+
+class NextMinute(Tables):
+    def testIsThatOfHand(self):
+        """cellSize of order 1, C = 200: to 3e-4 for 10 minutes gains 0.06, to 5e-4 for 1 minute 0.02,
+        the better. smoothingDiameters: the slowest is taken for the truth, 0.01 +- 0.0141 for 2
+        minutes, not resolved. couplingNumber is faster only, or as fast: no step."""
+        rows = [row(0.62, 0.01), row(0.56, 0.01, 1200.0, cellSize=3e-4),
+                row(0.6, 0.01, 660.0, cellSize=5e-4), row(0.63, 0.01, 720.0, smoothingDiameters=1),
+                row(0.7, 0.01, 660.0, smoothingDiameters=3), row(0.7, 0.01, 300.0, couplingNumber=0.4),
+                row(0.7, 0.01, 612.0, couplingNumber=0.1)]
+        choices = self.choices(rows)
+        found = accuracyJudge.fits(choices, "filling", {"cellSize": 1})
+        one, two = accuracyJudge.nextMinute(choices, "filling", found)
+        self.assertEqual((one.knob, one.value, one.how, one.gain.verdict),
+                         ("cellSize", 5e-4, "order 1", "resolved"))
+        self.assertAlmostEqual(one.perMinute.value, 0.02, 12)
+        self.assertEqual((two.knob, two.value, two.how, two.gain.verdict),
+                         ("smoothingDiameters", 1, "finest value", "not resolved"))
+        self.assertAlmostEqual(two.perMinute.value, 0.005, 12)
+        self.assertAlmostEqual(two.perMinute.error, 0.01*math.sqrt(2)/2, 12)
+
+
+class Command(Tables):
+    ROWS = [row(0.62, 0.002)] + [row(0.5 + 200*h, 0.002, 360/h*1e-3, cellSize=h)
+                                 for h in (3e-4, 4e-4, 8e-4)] + [
+        row(0.625, 0.002, 610.0, dragLaw="Felice"), row(0.6201, 0.002, 900.0, couplingNumber=0.1)]
+
+    def ran(self, rows, *words):
+        table = self.write(rows)
+        (self.work/"columns.json").write_text(
+            '{"filling": {"unit": "1", "shown": "%", "symbol": "δ", "text": "filling"}}')
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            program.main([str(word) for word in (table, *words)])
+        return [Path(path) for path in out.getvalue().split("\n") if path]
+
+    def testWritesTheSameAgain(self):
+        import matplotlib
+        matplotlib.rcParams["savefig.dpi"] = 50  # enough to compare, and faster
+        paths = self.ran(self.ROWS, "--out", self.work/"one")
+        self.ran(self.ROWS, "--out", self.work/"two")
+        names = [path.name for path in paths]
+        self.assertEqual(names[:2], ["accuracy.csv", "accuracy.md"])
+        self.assertEqual(names[2:], [f"filling.{what}.{kind}" for what in (
+            "changes", "pareto", "nextMinute") for kind in ("png", "svg")])
+        for path in paths:
+            self.assertGreater(path.stat().st_size, 200)
+            self.assertEqual(path.read_bytes(), (self.work/"two"/path.name).read_bytes(), path.name)
+        self.says((self.work/"one/accuracy.md").read_text())
+
+    def says(self, words):
+        for wanted in ("| cellSize | 0.0003 | 2 | **-6 ± 0.28** | resolved |",
+                       "| couplingNumber | 0.1 | 1.5 | +0.01 ± 0.28 | not resolved |",
+                       "| cellSize | 1 | 4 | 50 ± ", "Not extrapolated, as 3 numbers greater than 0 "
+                       "are needed, the reference's included: couplingNumber."):
+            self.assertIn(wanted, words)
+
+    def refused(self, wanted, rows, *words):
+        ended = io.StringIO()
+        with self.assertRaises(BadInput) as raised, contextlib.redirect_stdout(ended):
+            self.ran(rows, *words, "--out", self.work/"none")
+        self.assertIn(wanted, str(raised.exception))
+        self.assertFalse((self.work/"none").exists())
+
+    def testThatCannotBeJudged(self):
+        self.refused("No parameter of table.csv is varied alone against the reference 'base'",
+                     [row(0.6)])
+        self.refused("'filling' is 'nan' and must be a finite number", self.ROWS + [
+            row("nan", cellSize=9e-4)])
+        self.refused("'filling.error' is 'inf'", self.ROWS + [row(0.6, "inf", cellSize=9e-4)])
+        self.refused("no measure 'filing' with its error; did you mean 'filling'?", self.ROWS,
+                     "--measures", "filing")
+        self.refused("'cellsize' is not varied alone in table.csv; did you mean 'cellSize'?", self.ROWS,
+                     "--knobs", "cellsize")
+        self.refused("--order wants KEY=P", self.ROWS, "--order", "cellSize=two")
+        self.refused("no column or group 'cellsize'", self.ROWS, "--order", "cellsize=2")
+        self.refused("rows of table.csv have dragLaw=Huilin: the reference must be one", self.ROWS,
+                     "--reference", "dragLaw=Huilin")
+        self.refused("The reference 'base' in table.csv has no good run",
+                     [row("", "", "", 0, "failed")] + self.ROWS[1:], "--reference", "cellSize=6e-4",
+                     "dragLaw=Huilin", "couplingNumber=0.2")
+        for column in ("seconds", "status"):
+            self.refused(f"no column '{column}'", [
+                {key: value for key, value in one.items() if key != column} for one in self.ROWS])
+        self.refused("has no measures (columns NAME and NAME.error)", [
+            {key: value for key, value in one.items() if "error" not in key} for one in self.ROWS])
+        self.refused("has no rows", [])
+
+    def testEndsWithTwo(self):
+        ended = subprocess.run([PROGRAM, self.write([row(0.6)]), "--out", self.work/"none"],
+                               capture_output=True, text=True)
+        self.assertEqual((ended.returncode, len(ended.stderr.splitlines())), (2, 1), ended.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
