@@ -172,6 +172,7 @@ def judgeStep(bench, run):
     bench.atMost(run, "Courant number", 1, courant(run))
     bench.atLeast(run, "share of steps that it limits", 0.5,
                   sum(step.limit in ("Courant number", "growth") for step in taken)/len(taken))
+    bench.atMost(run, "first step, of deltaT", 1, taken[0].dt/run.case.deltaT)
     bench.atLeast(run, "longest over shortest step after the first", 4,
                   max(s.dt for s in taken[1:])/min(s.dt for s in taken[1:]))
 

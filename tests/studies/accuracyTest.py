@@ -10,24 +10,17 @@ import subprocess
 import sys
 import tempfile
 import unittest
-from importlib.machinery import SourceFileLoader
-from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+
+from program import loaded
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT/"studies/accuracy"
 
 
-def loaded():
-    loader = SourceFileLoader("accuracyProgram", str(PROGRAM))
-    module = module_from_spec(spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
-
-
-program = loaded()  # which makes the modules below known
+program = loaded(PROGRAM)  # which makes the modules below known
 
 import accuracyFit
 import accuracyJudge

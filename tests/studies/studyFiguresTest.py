@@ -10,24 +10,17 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
-from importlib.machinery import SourceFileLoader
-from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+
+from program import loaded
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT/"foam_cases/dieFilling/studies/figures"
 
 
-def loaded():
-    loader = SourceFileLoader("dieFillingFigures", str(PROGRAM))
-    module = module_from_spec(spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
-
-
-program = loaded()  # which makes the modules below known
+program = loaded(PROGRAM)  # which makes the modules below known
 
 import criticalSize
 import matplotlib.pyplot as plt

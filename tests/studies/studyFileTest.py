@@ -5,18 +5,15 @@ import subprocess
 import sys
 import unittest
 from contextlib import redirect_stderr, redirect_stdout
-from importlib.machinery import SourceFileLoader
-from importlib.util import module_from_spec, spec_from_loader
 from io import StringIO
 
 sys.dont_write_bytecode = True
 
+from program import loaded
 from toyCase import ROOT, STUDY, ToyCase
 
 # To be called here: that is quicker than to start it for each study.
-spec = spec_from_loader("study", SourceFileLoader("study", str(STUDY)))
-study = module_from_spec(spec)
-spec.loader.exec_module(study)
+study = loaded(STUDY)
 
 
 class InThisProcess(ToyCase):
