@@ -37,6 +37,20 @@ vector toFoam(const Vec3& v)
     return vector(v[0], v[1], v[2]);
 }
 
+// Pressure gradient that the powder of each cell feels: that of the cells in which the air sees it. Drag
+// is not moved by the floor.
+List<Packed<3>> pressingOnPowder(const volVectorField& gradient, const VoidFractionFloor& floor)
+{
+    List<Packed<3>> felt(gradient.size());
+    forAll(felt, celli)
+    {
+        const vector& g = gradient[celli];
+        felt[celli] = {g.x(), g.y(), g.z()};
+    }
+    floor.adjoint(felt);
+    return felt;
+}
+
 } // namespace
 
 PowderOnMesh::PowderOnMesh(const fvMesh& mesh, const Settings& settings,
@@ -223,14 +237,7 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
 std::vector<GasRecord> PowderOnMesh::gasAtParcels(const volVectorField& U,
     const volVectorField& pressureGradient, double interval) const
 {
-    // What presses on the powder where the air sees it. Drag is not moved by the floor.
-    List<Packed<3>> pressing(mesh_.nCells());
-    forAll(pressing, celli)
-    {
-        const vector& g = pressureGradient[celli];
-        pressing[celli] = {g.x(), g.y(), g.z()};
-    }
-    floor_.adjoint(pressing);
+    const List<Packed<3>> pressing = pressingOnPowder(pressureGradient, floor_);
     List<Packed<6>> air(mesh_.nCells());
     forAll(air, celli)
     {

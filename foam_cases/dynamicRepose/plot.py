@@ -8,11 +8,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import EllipseCollection
 from matplotlib.patches import Circle
 
 case = Path(__file__).resolve().parent
@@ -22,12 +18,7 @@ sys.path.insert(0, str(root/"studies/calibration"))
 
 import scene
 import surfaceLine
-
-ink, blue, red = "#22303c", "#2166ac", "#b2182b"
-mm = 1e3
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+from picture import blue, mm, parcels, plt, red
 
 
 def line(grains, radius):
@@ -35,12 +26,7 @@ def line(grains, radius):
 
 
 def draw(axes, grains, radius):
-    order = np.argsort(grains["y"])
-    size = 2*mm*grains["radius"][order]
-    drawn = axes.add_collection(EllipseCollection(
-        size, size, 0*size, units="xy", offsets=mm*np.column_stack([grains["x"], grains["z"]])[order],
-        offset_transform=axes.transData, array=np.hypot(grains["vx"], grains["vz"])[order],
-        cmap="viridis", edgecolors="white", linewidths=0.15))
+    drawn = parcels(axes, grains)
     axes.add_patch(Circle((0, 0), mm*radius, fill=False, color="0.5", lw=1.5))
     slope, height = line(grains, radius)
     foot = -slope*height/(1 + slope**2)

@@ -8,11 +8,7 @@ its angles.
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import EllipseCollection
 
 case = Path(__file__).resolve().parent
 root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
@@ -21,27 +17,15 @@ sys.path.insert(0, str(root/"studies/calibration"))
 
 import scene
 import surfaceLine
-
-ink, red = "#22303c", "#b2182b"
-mm = 1e3
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+from picture import mm, parcels, plt, red
 
 
 def draw(axes, grains):
-    """Parcels by speed, the ones in front last; those of the table in grey."""
-    order = np.argsort(grains["y"])
-    glued = grains["type"][order] == 2
-    size = 2*mm*grains["radius"][order]
-    places = mm*np.column_stack([grains["x"], grains["z"]])[order]
-    speed = np.hypot(grains["vx"], grains["vz"])[order]
-    drawn = None
-    for some, colours in ((glued, dict(facecolors="0.6")),
-                          (~glued, dict(array=speed[~glued], cmap="viridis", clim=(0, 0.1)))):
-        drawn = axes.add_collection(EllipseCollection(
-            size[some], size[some], 0*size[some], units="xy", offsets=places[some],
-            offset_transform=axes.transData, edgecolors="white", linewidths=0.15, **colours))
+    """Parcels by speed, those of the table in grey."""
+    glued = grains["type"] == 2
+    parcels(axes, grains, glued, facecolors="0.6")
+    drawn = parcels(axes, grains, ~glued)
+    drawn.set_clim(0, 0.1)
     axes.set(aspect="equal", ylabel="z [mm]")
     return drawn
 
