@@ -71,7 +71,8 @@ class Scene:
             importlib.util.spec_from_loader("prepare", loader))
         loader.exec_module(self.case)
         self.parameters = self.case.parameters()
-        self.number = {**self.parameters, **self.case.derived(self.parameters)}
+        derived, self.given = self.case.derived(self.parameters)
+        self.number = {**self.parameters, **derived}
 
     def mesh(self, cut=(1, 1, 1)):
         """blockMesh and, for more than one rank, decomposePar: `cut` parts along x, y, z."""
@@ -132,7 +133,7 @@ def wideSlice(copies, window):
     width = Scene("Wide").parameters["sliceWidth"]
     scene = Scene("Wide", sliceWidth=copies*width)
     d = scene.number
-    scene.case.surfaces(scene.parameters, scene.number)
+    scene.case.walls.write(scene.folder, scene.parameters, scene.number, scene.given)
     (scene.folder/"system/caseDerived").write_text(
         foamFile.format("caseDerived")
         + '#include "caseParameters"\n'

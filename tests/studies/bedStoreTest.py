@@ -40,7 +40,7 @@ class DieFilling(unittest.TestCase):
         (self.work/"liggghts_scripts").mkdir()
         self.case.mkdir(parents=True)
         source = ROOT/"foam_cases/dieFilling"
-        for name in ("0", "system", "constant"):
+        for name in ("0", "system", "scene", "constant"):
             shutil.copytree(source/name, self.case/name, ignore=shutil.ignore_patterns(
                 "polyMesh", "triSurface", "caseDerived", "ranks"))
         for name in ("variant", "prepare", "run", "measure"):

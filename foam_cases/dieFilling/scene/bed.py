@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The poured bed, and the completely filled die to which a filling ratio refers.
+
+Pouring is skipped if the folder preparation/ was made with the same parameters. If INTERSTICE_BED_STORE
+names a folder, beds are kept there for other runs, also those at the same time: each is poured once.
+"""
+import contextlib
+import fcntl
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+# The bed depends on these, and on the walls; not on the air or the shoe's speed.
+POURING = """particleDiameter particleDensity coarseGraining powderHeight bed seed youngsModulus
+    poissonsRatio restitution friction rollingFriction rollingModel shoeYoungsModulus
+    shoeRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh
+    shoeXLow shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
+
+
+class Bed:
+    def __init__(self, case, scripts, values):
+        """values: parameters and what is derived from them; the walls are written already."""
+        self.case, self.scripts, self.values = case, scripts, values
+        self.folder = case/"preparation"
+        number = lambda v: f"{v:.9g}" if isinstance(v, (int, float)) else v
+        self.key = "".join(f"{k} {number(values[k])}\n" for k in POURING)
+        for name in ("die", "shoe"):
+            self.key += (case/f"constant/triSurface/{name}.stl").read_text()
+
+    def make(self):
+        self.folder.mkdir(exist_ok=True)
+        stamp = self.folder/"madeWith"
+        if stamp.is_file() and stamp.read_text() == self.key:
+            print("bed: poured before, with the same parameters")
+            return
+        stamp.unlink(missing_ok=True)
+        with self.stored() as bed:
+            if bed and bed.is_dir():
+                copy(bed, self.folder)
+                print("bed: poured before by another run, with the same parameters")
+                return
+            self.pourAll()
+            stamp.write_text(self.key)
+            if bed:
+                part = Path(f"{bed}.part")
+                copy(self.folder, part)
+                part.rename(bed)  # so that what has this name is whole
+
+    @contextlib.contextmanager
+    def stored(self):
+        """Where the store keeps the bed, if there is a store; no other run pours it meanwhile."""
+        store = os.environ.get("INTERSTICE_BED_STORE")
+        if not store:
+            yield None
+            return
+        bed = Path(store)/hashlib.sha256(self.key.encode()).hexdigest()
+        bed.parent.mkdir(parents=True, exist_ok=True)
+        with open(f"{bed}.lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            yield bed
+
+    def pourAll(self):
+        values = self.values
+        running = [self.pour("bed", values["bedParcels"], 0, values["bed"]),
+                   self.pour("full", values["referenceParcels"], values["overDie"], "poured")]
+        for process, result in running:
+            process.wait()
+            log = (self.folder/f"log.{result}.screen").read_text(errors="replace")
+            notes = re.findall(r"^(parcels asked.*|root mean.*|ERROR.*|The column.*)$", log, re.M)
+            print(f"{result}: " + "; ".join(dict.fromkeys(notes)))
+            if process.returncode or not (self.folder/f"{result}.restart").is_file():
+                sys.exit(f"Pouring the powder failed: see {self.folder}/log.{result}.screen")
+        full = massBelow(self.folder/"full.dump", 0)
+        (self.folder/"fullMass").write_text(f"fullMass {full:.9g}; // [kg]\n")
+        print(f"completely filled die: {1e6*full:.4g} mg")
+
+    def pour(self, result, parcels, place, bed):
+        log = self.folder/f"log.{result}"
+        variables = dict(self.values, case=self.case, scripts=self.scripts, result=result,
+                         parcels=parcels, place=place)
+        if bed == "tapped":
+            variables.update(contactFriction=0, contactRolling=0)
+        # Line by line: what LIGGGHTS says of an error would be lost in a buffer when it aborts.
+        command = ["stdbuf", "-oL", "liggghts", "-in", str(self.scripts/"dieFillingPour.in"),
+                   "-log", str(log)]
+        for key, value in variables.items():
+            if isinstance(value, str) and value.startswith("("):
+                continue  # a vector means nothing to LIGGGHTS
+            command += ["-var", key, f"{value:.12g}" if isinstance(value, float) else str(value)]
+        with open(f"{log}.screen", "w") as screen:
+            return subprocess.Popen(command, stdout=screen, stderr=screen), result
+
+
+def copy(bed, folder):
+    """All that a run needs; the stamp last, as it says that the rest is there."""
+    folder.mkdir(exist_ok=True)
+    for name in ("bed.restart", "fullMass", "madeWith"):
+        shutil.copy(bed/name, folder)
+
+
+def massBelow(path, top):
+    """Mass of the parcels below a plane z = top; of those that the plane cuts, what is below."""
+    rows = np.loadtxt(path, skiprows=9)
+    z, r, m = rows[:, 3], rows[:, 4], rows[:, 5]
+    h = np.clip(top - (z - r), 0, 2*r)
+    return float(np.sum(m*h*h*(3*r - h)/(4*r**3)))

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What follows from the parameters: where things stand, how many cells and parcels there are.
+
+Origin: on the table, at the die's near edge, in the middle of its width.
+"""
+import math
+
+import numpy as np
+
+
+def derived(p, given):
+    """Key -> number or vector, for every other dictionary. given: triangles of the user's surfaces."""
+    d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
+    d["boundaryY"] = "f" if d["rig"] == "full" else "p"
+    shoe(p, d)
+    mesh(p, d)
+    measured(p, d)
+    particlesBox(p, d, given)
+    parcels(p, d)
+    d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
+    return d
+
+
+def shoe(p, d):
+    """The shoe starts short of the die and stops beyond it, clear by a few parcels."""
+    clear, wall = 1e-3, p["shoeWallThickness"]
+    d["shoeXHigh"] = -(wall + clear)
+    d["shoeXLow"] = d["shoeXHigh"] - p["shoeLength"]
+    d["shoeYHigh"] = 0.5*(p["shoeWidth"] if d["rig"] == "full" else p["sliceWidth"])
+    d["shoeYLow"] = -d["shoeYHigh"]
+    d["travel"] = p["dieLength"] + wall + clear - d["shoeXLow"]
+    d["endTime"] = round(d["travel"]/p["shoeSpeed"] + 0.5*p["rampTime"], 4)
+    d["pictureInterval"] = d["endTime"]/p["pictures"]
+    d["overDie"] = 0.5*p["dieLength"] - 0.5*(d["shoeXLow"] + d["shoeXHigh"])
+
+
+def mesh(p, d):
+    """The shoe on all its way, and room for the air beside it and above the powder."""
+    full, room, wall = d["rig"] == "full", p["room"], p["shoeWallThickness"]
+    d["xLow"] = d["shoeXLow"] - wall - room
+    d["xHigh"] = d["shoeXHigh"] + d["travel"] + wall + room
+    d["dieYHigh"] = 0.5*(p["dieWidth"] if full else p["sliceWidth"])
+    d["yHigh"] = d["shoeYHigh"] + wall + room if full else d["dieYHigh"]
+    d["yLow"], d["dieYLow"] = -d["yHigh"], -d["dieYHigh"]
+    d["zHigh"] = 1.1*p["powderHeight"] + room
+    d["dieZLow"] = -p["dieDepth"]
+    cells = {"nUpstream": -d["xLow"], "nDie": p["dieLength"],
+             "nDownstream": d["xHigh"] - p["dieLength"], "nAcross": 2*d["dieYHigh"],
+             "nBeside": d["yHigh"] - d["dieYHigh"], "nAbove": d["zHigh"], "nDeep": p["dieDepth"]}
+    d.update({key: max(1, round(length/p["cellSize"])) for key, length in cells.items()})
+
+
+def measured(p, d):
+    """Boxes of what is measured: the cavity, and the room in the shoe where it starts."""
+    point = lambda *x: "({:.9g} {:.9g} {:.9g})".format(*x)
+    d["cavityLow"] = point(0, d["dieYLow"], d["dieZLow"])
+    d["cavityHigh"] = point(p["dieLength"], d["dieYHigh"], 0)
+    d["shoeLow"] = point(d["shoeXLow"], d["shoeYLow"], 0)
+    d["shoeHigh"] = point(d["shoeXHigh"], d["shoeYHigh"], p["shoeHeight"])
+
+
+def particlesBox(p, d, given):
+    """LIGGGHTS' box: all that the shoe sweeps, whatever the mesh of the air. Its sides are walls."""
+    full, around = d["rig"] == "full", 8e-3
+    d["demXLow"], d["demXHigh"] = d["shoeXLow"] - around, d["shoeXHigh"] + d["travel"] + around
+    d["demYHigh"] = d["shoeYHigh"] + (around if full else 0)
+    d["demYLow"] = -d["demYHigh"]
+    d["demZLow"], d["demZHigh"] = -1.2*p["dieDepth"], p["shoeHeight"] + around
+    for corner in np.concatenate(list(given.values())).reshape(-1, 3):
+        d["demXLow"], d["demXHigh"] = reach(d["demXLow"], d["demXHigh"], corner[0])
+        d["demZLow"], d["demZHigh"] = reach(d["demZLow"], d["demZHigh"], corner[2])
+        if full:
+            d["demYLow"], d["demYHigh"] = reach(d["demYLow"], d["demYHigh"], corner[1])
+
+
+def parcels(p, d):
+    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above."""
+    d["parcelDiameter"] = p["coarseGraining"]*p["particleDiameter"]
+    parcel = math.pi/6*d["parcelDiameter"]**3
+    base = p["shoeLength"]*2*d["shoeYHigh"]
+    d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
+    cavity = p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
+    d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
+    d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
+
+
+def reach(low, high, x):
+    """An interval that holds x as well, not at its very end."""
+    margin = 1e-4
+    return min(low, x - margin), max(high, x + margin)
