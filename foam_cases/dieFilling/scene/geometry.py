@@ -17,6 +17,7 @@ def derived(p, given):
     measured(p, d)
     particlesBox(p, d, given)
     parcels(p, d)
+    d["hertzFraction"] = 0.75*p["rayleighFraction"]
     d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
     return d
 
