@@ -204,7 +204,7 @@ def alone(bench, share):
 
 def verify(bench):
     for name, share, friction, walls, warned in (("20 %, rough", 0.2, ROUGH, YOUNG, 0),
-                                                 ("20 %, rough, steel", 0.2, ROUGH, STEEL, 1),
+                                                 ("20 %, rough, steel", 0.2, ROUGH, STEEL, 0),
                                                  ("27 %, rough", 0.27, ROUGH, YOUNG, 1),
                                                  ("40 %, smooth", 0.4, SMOOTH, YOUNG, 1)):
         case = throw(name, share, friction, walls=walls)
