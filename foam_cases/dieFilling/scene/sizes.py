@@ -110,6 +110,18 @@ def equalMasses(median, s, ends, count):
     return Sizes((meanVolume*(last - first)/count/particles)**(1/3), np.full(count, 1/count))
 
 
+def told(sizes, *beds):
+    """One line; refuses a class too rare for its share of the mass to be poured. beds: how many parcels they have."""
+    fewest = min(beds)*float(sizes.numbers().min())
+    if fewest < 1:
+        refuse("A class of particle sizes has less than one parcel.",
+               f"{fewest:.2g} of {1e6*sizes.diameters[sizes.numbers().argmin()]:.3g} um, of {min(beds)} parcels",
+               "1 or more", "Lower coarseGraining, largestSize or sizeClasses, or join rare sizes of the table.")
+    um = 1e6*sizes.diameters
+    return (f"sizes: {len(um)} classes from {um[0]:.4g} to {um[-1]:.4g} um, Sauter mean {1e6*sizes.sauter():.4g} um, at "
+            f"least {fewest:.0f} parcels in each")
+
+
 def script(sizes, k, seed):
     """What LIGGGHTS inserts, as the distribution `mix`; its shares are of mass."""
     if sizes is None:

@@ -14,4 +14,4 @@ def word(key, value, known, where="system/caseParameters"):
         return value
     close = difflib.get_close_matches(str(value), known, 1, 0.5)
     refuse(f"{key} must be one of some words.", f"{key} {value}   {where}", ", ".join(known),
-           f"Did you mean {close[0]}?" if close else f"Choose one of them.")
+           f"Did you mean {close[0]}?" if close else "Choose one of them.")
