@@ -59,7 +59,8 @@ class ALogNormalDistribution(unittest.TestCase):
         self.assertAlmostEqual(below(powder.masses, powder.diameters, byMass), 0.5, delta=0.005)
 
     def testHasTheSauterMeanWithinItsEnds(self):
-        for deviation, count, smallest, largest in ((1.1, 2, 0.5, 2.), (1.3, 8, 0.5, 2.), (1.4, 8, 0.7, 3.), (1.8, 20, 0.4, 2.)):
+        for deviation, count, smallest, largest in (
+                (1.1, 2, 0.5, 2.), (1.3, 8, 0.5, 2.), (1.4, 8, 0.7, 3.), (1.8, 20, 0.4, 2.)):
             powder = logNormal(diameterIs="sauterMean", geometricDeviation=deviation, sizeClasses=float(count),
                                smallestSize=smallest, largestSize=largest)
             self.assertAlmostEqual(mean(powder, 3, 2)/D, 1, 10)
@@ -99,7 +100,8 @@ class ATable(WithTable):
         self.assertAlmostEqual(powder.sauter(), 36e-6, 15)
 
     def testTurnsMassIntoNumber(self):
-        powder = self.table("# two\ndiameter, massFraction\n20e-6, 0.1111 # fine\n40e-6, 0.8889\n", particleDiameter=36e-6)
+        powder = self.table("# two\ndiameter, massFraction\n20e-6, 0.1111 # fine\n40e-6, 0.8889\n",
+                            particleDiameter=36e-6)
         np.testing.assert_allclose(powder.numbers(), (0.5, 0.5), 1e-3)
 
     def testSpreadsWhatASieveHoldsEvenly(self):
@@ -125,7 +127,8 @@ class BadInput(WithTable):
                 ("diameterIs", "medianByMas", "Did you mean medianByMass?"),
                 ("geometricDeviation", 1.0, "a number above 1"), ("geometricDeviation", 0.5, "a number above 1"),
                 ("geometricDeviation", math.nan, "geometricDeviation nan"), ("geometricDeviation", "wide", "wide"),
-                ("largestSize", 0.3, "a number above 1"), ("smallestSize", 1.5, "below 1"), ("smallestSize", -1.0, "above 0"),
+                ("largestSize", 0.3, "a number above 1"), ("smallestSize", 1.5, "below 1"),
+                ("smallestSize", -1.0, "above 0"),
                 ("sizeClasses", 2.5, "a whole number"), ("sizeClasses", 1.0, "from 2 to 100")):
             with self.subTest(key=key, value=value):
                 self.refused(lambda: logNormal(**{key: value}), key, words)
@@ -178,7 +181,7 @@ class Poured(DieFilling):
         return (self.case/"variants/v/preparation/madeWith").read_text()
 
     def agree(self, diameters, wanted):
-        """Numbers of each class: chi-square below what only 1 of 1000 samples exceeds, for up to 7 degrees of freedom."""
+        """Numbers of each class: chi-square below what 1 of 1000 samples exceeds, of 2 or 7 degrees of freedom."""
         total, chi2 = len(diameters), 0
         for d, share in wanted:
             count = np.sum(np.abs(diameters/d - 1) < 1e-5)
@@ -190,7 +193,8 @@ class Poured(DieFilling):
         self.assertAlmostEqual(masses.sum()/(0.58*4e-3*12e-3*2.4e-3*7360), 1, delta=5e-3)
 
     def testFractionsOfMass(self):
-        """Numbers go with 0.2/27, 0.5/64, 0.3/216; the step with the smallest: 0.2 pi R sqrt(rho/G)/(0.1631 nu + 0.8766)"""
+        """Numbers go with 0.2/27, 0.5/64, 0.3/216; the step with the smallest R:
+        0.2 pi R sqrt(rho/G)/(0.1631 nu + 0.8766)."""
         table = "diameter,massFraction\n30e-6,0.2\n40e-6,0.5\n60e-6,0.3\n"
         diameters, masses, log = self.pour("sizeDistribution=table", "particleDiameter=41.38e-6",
                                            "sizeTable=system/sizes.csv", table=table)
@@ -219,7 +223,7 @@ class Poured(DieFilling):
         self.assertIn("parcel1", self.key())
 
     def testOneSizeIsPouredAsEver(self):
-        """The lines that LIGGGHTS had before there were sizes; other sizes are another bed, and keys of theirs no matter."""
+        """The lines that LIGGGHTS had before there were sizes; what describes sizes then makes no other bed."""
         self.assertEqual(sizes.script(None, 10, 32452843), (
             "fix             parcel all particletemplate/sphere 160481183 atom_type 1 &\n"
             "                density constant ${particleDensity} radius constant ${parcelRadius}\n"

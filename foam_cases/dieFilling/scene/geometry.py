@@ -75,8 +75,8 @@ def particlesBox(p, d, given):
 
 
 def parcels(p, d, sizes):
-    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above. Of several sizes, the
-    parcel's diameter is the Sauter mean."""
+    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above. Of
+    several sizes, the parcel's diameter is the Sauter mean."""
     k = p["coarseGraining"]
     d["parcelDiameter"] = k*(sizes.sauter() if sizes else p["particleDiameter"])
     parcel = math.pi/6*(k*sizes.meanVolume() if sizes else d["parcelDiameter"])**3

@@ -89,6 +89,7 @@ def checkFiner(share, name):
             refuse("What is finer can only grow with the diameter.", f"{after:g} after {before:g}   {name}",
                    f"{before:g} or more", "Correct the table.")
     if share[0] != 0 or abs(share[-1] - 1) > TOLERANCE:
-        refuse("What is finer begins at 0 and ends at 1.", f"from {share[0]:g} to {share[-1]:g}   {name}", "from 0 to 1",
+        refuse("What is finer begins at 0 and ends at 1.", f"from {share[0]:g} to {share[-1]:g}   {name}",
+               "from 0 to 1",
                "Write fractions, not percent." if share[-1] > 2 else
                "Add the diameter below which there is nothing, and the one below which there is all.")

@@ -69,13 +69,13 @@ def check(p):
              ("largestSize", "a number above 1, in particleDiameter", lambda x: x > 1))
     for key, wanted, good in rules:
         if not (isinstance(p[key], float) and math.isfinite(p[key]) and good(p[key])):
-            refuse(f"{key} of a log-normal size distribution is out of range.", f"{key} {p[key]}   {FILE}", wanted,
-                   f"Correct {key}.")
+            refuse(f"{key} of a log-normal size distribution is out of range.", f"{key} {p[key]}   {FILE}",
+                   wanted, f"Correct {key}.")
 
 
 def ofLogNormal(p, meaning):
-    """Log-normal between the smallest and the largest size. A Sauter mean is met exactly, by the classes; a median is that
-    of the distribution before its ends are cut off."""
+    """Log-normal between the smallest and the largest size. A Sauter mean is met exactly, by the classes; a
+    median is that of the distribution before its ends are cut off."""
     d, s = p["particleDiameter"], math.log(p["geometricDeviation"])
     ends = p["smallestSize"]*d, p["largestSize"]*d
     made = lambda median: equalMasses(median, s, ends, int(p["sizeClasses"]))
@@ -118,8 +118,8 @@ def told(sizes, *beds):
                f"{fewest:.2g} of {1e6*sizes.diameters[sizes.numbers().argmin()]:.3g} um, of {min(beds)} parcels",
                "1 or more", "Lower coarseGraining, largestSize or sizeClasses, or join rare sizes of the table.")
     um = 1e6*sizes.diameters
-    return (f"sizes: {len(um)} classes from {um[0]:.4g} to {um[-1]:.4g} um, Sauter mean {1e6*sizes.sauter():.4g} um, at "
-            f"least {fewest:.0f} parcels in each")
+    return (f"sizes: {len(um)} classes from {um[0]:.4g} to {um[-1]:.4g} um, Sauter mean "
+            f"{1e6*sizes.sauter():.4g} um, at least {fewest:.0f} parcels in each")
 
 
 def script(sizes, k, seed):
