@@ -230,7 +230,7 @@ class Poured(DieFilling):
             "fix             mix all particledistribution/discrete 179424673 1 parcel 1.0\n"))
         self.pour("coarseGraining=20", "geometricDeviation=1.5")
         self.assertNotIn("Deviation", self.key())
-        self.assertNotIn("parcel1", self.key())
+        self.assertNotIn("particletemplate", self.key())
 
 
 if __name__ == "__main__":
