@@ -24,12 +24,15 @@ POURING = """particleDiameter particleDensity coarseGraining powderHeight bed se
 
 
 class Bed:
-    def __init__(self, case, scripts, values):
-        """values: parameters and what is derived from them; the walls are written already."""
+    def __init__(self, case, scripts, values, pours):
+        """values: parameters and what is derived from them; the walls are written already. pours: LIGGGHTS' lines that
+        define the distribution `mix` of what is poured."""
         self.case, self.scripts, self.values = case, scripts, values
-        self.folder = case/"preparation"
+        self.folder, self.pours = case/"preparation", pours
         number = lambda v: f"{v:.9g}" if isinstance(v, (int, float)) else v
         self.key = "".join(f"{k} {number(values[k])}\n" for k in POURING)
+        if values["sizeDistribution"] != "mono":
+            self.key += pours
         for name in ("die", "shoe"):
             self.key += (case/f"constant/triSurface/{name}.stl").read_text()
 
@@ -67,6 +70,7 @@ class Bed:
 
     def pourAll(self):
         values = self.values
+        (self.folder/"sizes.in").write_text(self.pours)
         running = [self.pour("bed", values["bedParcels"], 0, values["bed"]),
                    self.pour("full", values["referenceParcels"], values["overDie"], "poured")]
         for process, result in running:

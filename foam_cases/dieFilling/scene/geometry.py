@@ -8,15 +8,16 @@ import math
 import numpy as np
 
 
-def derived(p, given):
-    """Key -> number or vector, for every other dictionary. given: triangles of the user's surfaces."""
+def derived(p, given, sizes=None):
+    """Key -> number or vector, for every other dictionary. given: triangles of the user's surfaces; sizes: None if all
+    particles have the same."""
     d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
     d["boundaryY"] = "f" if d["rig"] == "full" else "p"
     shoe(p, d)
     mesh(p, d)
     measured(p, d)
     particlesBox(p, d, given)
-    parcels(p, d)
+    parcels(p, d, sizes)
     d["hertzFraction"] = 0.75*p["rayleighFraction"]
     d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
     return d
@@ -74,15 +75,22 @@ def particlesBox(p, d, given):
             d["demYLow"], d["demYHigh"] = reach(d["demYLow"], d["demYHigh"], corner[1])
 
 
-def parcels(p, d):
-    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above."""
-    d["parcelDiameter"] = p["coarseGraining"]*p["particleDiameter"]
-    parcel = math.pi/6*d["parcelDiameter"]**3
+def parcels(p, d, sizes):
+    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above. Of
+    several sizes, the parcel's diameter is the Sauter mean."""
+    k = p["coarseGraining"]
+    d["parcelDiameter"] = k*(sizes.sauter() if sizes else p["particleDiameter"])
+    parcel = math.pi/6*(k*sizes.meanVolume() if sizes else d["parcelDiameter"])**3
     base = p["shoeLength"]*2*d["shoeYHigh"]
     d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
     cavity = p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
+    if sizes:
+        d["sauterDiameter"] = sizes.sauter()
+        d["meanVolumeDiameter"] = sizes.meanVolume()
+        d["meanVolumeRadius"] = 0.5*k*sizes.meanVolume()
+        d["smallestRadius"], d["largestRadius"] = 0.5*k*sizes.diameters[[0, -1]]
 
 
 def reach(low, high, x):
