@@ -2,8 +2,9 @@
 """How fast the air in the die is, and how much it turns: numbers to the figure airSections.
 
 In the cavity, where air is free: outside the powder's bulk and outside of solids. The vorticity is
-OpenFOAM's curl of the interstitial velocity; its y component is positive where the air turns from
-the floor's normal z towards the shoe's way x, clockwise in the figure.
+OpenFOAM's curl of the interstitial velocity; its y component is positive where the air turns clockwise
+in the figure, with the shoe. Clockwise and counter are told apart: at walls that hold the air, all
+circulation together is only what moves along the die's mouth, whatever turns below.
 """
 import csv
 
@@ -12,8 +13,8 @@ import numpy as np
 from tables import meanAndError
 
 BULK = 0.7  # void fraction below which powder lies packed or nearly so
-NAMES = ("meanVorticity", "peakVorticity", "circulation", "meanAirSpeed", "peakAirSpeed",
-         "freeAirShare")
+NAMES = ("meanVorticity", "peakVorticity", "circulationClockwise", "circulationCounter", "meanAirSpeed",
+         "peakAirSpeed", "freeAirShare")
 
 
 def of(d, centres, data):
@@ -25,9 +26,11 @@ def of(d, centres, data):
         return {**dict.fromkeys(NAMES), "freeAirShare": 0.0}
     turning = data["vorticity"][free, 1]
     speed = np.linalg.norm(data["U"][free], axis=1)
-    area = d["dieLength"]*d["dieDepth"]/np.count_nonzero(cavity)  # all cells of the cavity are alike
+    # All cells of the cavity are alike, and the mean over its width is meant.
+    area = d["dieLength"]*d["dieDepth"]/np.count_nonzero(cavity)
     return dict(zip(NAMES, map(float, (
-        np.abs(turning).mean(), np.abs(turning).max(), turning.sum()*area, speed.mean(), speed.max(),
+        np.abs(turning).mean(), np.abs(turning).max(), turning[turning > 0].sum()*area,
+        -turning[turning < 0].sum()*area, speed.mean(), speed.max(),
         np.count_nonzero(free)/np.count_nonzero(cavity)))))
 
 

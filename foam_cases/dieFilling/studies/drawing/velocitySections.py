@@ -16,7 +16,7 @@ from badInput import BadInput
 from section import MM
 
 WIDE = 7.2  # of a printed page [in]
-ACROSS = 5  # columns that a page can hold
+ACROSS = 4  # columns that a page can hold
 # Name, words, and how far the shoe has come then [m].
 PLACES = (
     ("frontOverMiddle", "front wall over\nthe die's middle", lambda d: 0.5*d["dieLength"] - d["shoeXHigh"]),
@@ -103,10 +103,10 @@ def averaged(here):
 
 def sheet(table, key, all_, draw, label):
     """The grid; draw(axes, shots of all packings) draws one panel and returns what has colours."""
-    wide = min(WIDE, 0.9 + 2.1*max(len(all_), 2))
+    wide = (WIDE - 0.8)/max(len(all_), 3)  # of a panel
     fig, axes = plt.subplots(len(PLACES), len(all_), sharex=True, sharey=True, squeeze=False,
-                             figsize=(wide, 0.9 + len(PLACES)*0.92*wide/len(all_)),
-                             layout="constrained")
+                             figsize=(max(0.8 + wide*len(all_), engine.WIDTH),
+                                      1.1 + len(PLACES)*(0.4 + 0.8*wide)), layout="constrained")
     for column, (value, _, packings) in enumerate(all_):
         for row in range(len(PLACES)):
             coloured = draw(axes[row, column], [packing[row] for packing in packings])
@@ -132,8 +132,9 @@ def frame(axes, shot, title=""):
 
 def fastest(speeds):
     """End of a colour scale: what one in a hundred exceeds, with two digits."""
-    top = np.percentile(np.concatenate(speeds), 99)
-    return float(f"{top:.1e}") or 1.0
+    all_ = np.concatenate(speeds)
+    top = float(f"{np.percentile(all_, 99):.1e}") if len(all_) else 0
+    return top or 1.0
 
 
 def inView(d, x):
@@ -170,7 +171,8 @@ def air(table, chosen, study):
         frame(axes, shots[0], "\n" + told(averaged(shots)))
         return flow(axes, *shots[0].cells(), top)
 
-    return sheet(table, key, all_, panel, "speed of the air [m/s]")
+    return sheet(table, key, all_, panel, "speed of the air [m/s]; orange: void fraction "
+                 f"{airNumbers.BULK:g}, the surface of the bulk")
 
 
 def told(means):
@@ -179,7 +181,7 @@ def told(means):
     error = means["meanVorticity.error"]
     return (rf"mean $|\omega_y|$ = {means['meanVorticity']:.0f}"
             + (rf" $\pm$ {error:.0f}" if error is not None else "")
-            + rf" s$^{{-1}}$, $u_\mathrm{{max}}$ = {means['peakAirSpeed']:.2f} m/s")
+            + f" s$^{{-1}}$\n$u_\\mathrm{{max}}$ = {means['peakAirSpeed']:.2f} m/s")
 
 
 def flow(axes, centres, data, top):
@@ -195,6 +197,7 @@ def flow(axes, centres, data, top):
         return filled
 
     blocked = plane(data["solid"][:, 0] >= 0.5, 1) > 0
+    axes.set_facecolor("0.64")  # of solid cells: about as the shoe's walls
     u, w = (plane(data["U"][:, axis], 0) for axis in (0, 2))
     coloured = axes.pcolormesh(x, z, np.ma.masked_where(blocked, np.hypot(u, w)), cmap="viridis", vmin=0,
                                vmax=top, shading="nearest", rasterized=True, zorder=0)
