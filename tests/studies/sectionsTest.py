@@ -6,9 +6,19 @@ import csv
 import json
 import shutil
 import subprocess
+import sys
 import unittest
 
+import numpy as np
+import yaml
+
 from studyFiguresTest import Folder, ROOT, program, row
+
+sys.path.append(str(ROOT/"foam_cases/dieFilling/scene"))
+
+import geometry
+import runFolder
+import velocitySections
 
 MM = 1e-3
 CELL = 0.5*MM
@@ -154,6 +164,17 @@ class Sections(Folder):
         middles = sorted(tuple(path.get_extents().get_points().mean(axis=0).round(3))
                          for path in dots.get_paths())
         self.assertEqual(middles, [(1.0, -4.7), (7.0, -4.7)])
+
+    def testTheStudyKeepsTheInstantsThatAreDrawn(self):
+        """To within half a wall, 0.75 mm, at all its speeds."""
+        case = ROOT/"foam_cases/dieFilling"
+        study = yaml.safe_load((case/"studies/sections.yaml").read_text())
+        for speed in study["vary"]["shoeSpeed"]:
+            p = {**runFolder.numbers(case/"system/caseParameters"), **study["base"], "shoeSpeed": speed}
+            d = {**p, **geometry.derived(p, {name: np.empty((0, 3, 3)) for name in ("die", "shoe")})}
+            travels = [runFolder.shoeAt(d, n*d["pictureInterval"]) for n in range(1, p["pictures"] + 1)]
+            for _, _, place in velocitySections.PLACES:
+                self.assertLess(min(abs(travel - place(d)) for travel in travels), 0.7*MM)
 
     def testThatCannotBeDrawn(self):
         rows = self.kept(a=(30e-6, 100))

@@ -10,16 +10,19 @@ TIME = re.compile(rb"TimeValue 1 1 \w+\s+(\S+)")
 
 def derived(folder):
     """Parameters and what follows from them: key -> number or word."""
-    numbers = {}
-    for name in ("caseParameters", "caseDerived"):
-        for line in (folder/"system"/name).read_text().splitlines():
-            words = line.split("//")[0].replace(";", " ").split()
-            if len(words) == 2:
-                try:
-                    numbers[words[0]] = float(words[1])
-                except ValueError:
-                    numbers[words[0]] = words[1]
-    return numbers
+    return {**numbers(folder/"system/caseParameters"), **numbers(folder/"system/caseDerived")}
+
+
+def numbers(dictionary):
+    found = {}
+    for line in dictionary.read_text().splitlines():
+        words = line.split("//")[0].replace(";", " ").split()
+        if len(words) == 2:
+            try:
+                found[words[0]] = float(words[1])
+            except ValueError:
+                found[words[0]] = words[1]
+    return found
 
 
 def shoeAt(d, t):

@@ -152,7 +152,7 @@ def powder(table, chosen, study):
     def panel(axes, shots):
         frame(axes, shots[0])
         return section.parcels(axes, *clouds[shots[0].powder], fastest=top, cmap="viridis",
-                               edgecolor="none", rasterized=True)
+                               edgecolor="white", lw=0.2, rasterized=True)
 
     return sheet(table, key, all_, panel, "speed of the parcels [m/s]")
 
@@ -171,8 +171,8 @@ def air(table, chosen, study):
         frame(axes, shots[0], "\n" + told(averaged(shots)))
         return flow(axes, *shots[0].cells(), top)
 
-    return sheet(table, key, all_, panel, "speed of the air [m/s]; orange: void fraction "
-                 f"{airNumbers.BULK:g}, the surface of the bulk")
+    return sheet(table, key, all_, panel, f"speed of the air [m/s] (orange: void fraction "
+                 f"{airNumbers.BULK:g})")
 
 
 def told(means):
