@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The powder's surface in the die at the end, for each k, from the folders of runs that were kept."""
-import csv
-import json
 import math
 import re
 import statistics
 import struct
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 
 import figures as engine
+import keptRuns
 from badInput import BadInput
-from tableFile import number
 
 BINS = 10  # as many as the function object surfaceSlope has
 LIST = re.compile(rb"\n(\d+)\s*\(\s?")
@@ -52,33 +49,16 @@ def averaged(surfaces, width):
 
 def profiles(table, chosen, study):
     """k -> (parameters, [heights of each bin of a packing])."""
-    folder = chosen.table.resolve().parent
-    missing = f"the study {study} with 'keep: yes' keeps what is needed."
-    try:
-        plan = json.loads((folder/"plan.json").read_text())
-        with open(folder/"runs.csv", newline="") as file:
-            runs = list(csv.DictReader(file))
-    except (OSError, ValueError):
-        raise BadInput(f"there is no whole plan.json and runs.csv beside {table.name}; {missing}")
-    wanted = {row["variant"] for row in table.chosen(chosen.where)}
     found = {}
-    for run in runs:
-        home = Path(plan["case"])/f"variants/{plan['study']}.{run['id']}"
-        if run["status"] != "ok" or run["variant"] not in wanted or not home.is_dir():
-            continue
-        parameters = {key: number(value) for key, value in run.items()}
+    for parameters, home in keptRuns.found(table, chosen, study):
         others = found.setdefault(parameters["coarseGraining"], (parameters, []))
         alone(others[0], parameters)
         others[1].append(surface(parcels(home), parameters))
-    if not found:
-        raise BadInput(f"no folder of a run of {table.name} is kept; {missing}")
     return found
 
 
 def alone(one, other):
-    keys = list(one)
-    keys = keys[keys.index("variant") + 1:keys.index("status")]
-    differ = [key for key in keys if one[key] != other[key] and key not in ("seed", "packing")]
+    differ = keptRuns.differing(one, other)
     if differ:
         raise BadInput(f"Kept runs of one coarseGraining differ in {', '.join(differ)}: choose by "
                        f"--where {differ[0]}=VALUE.")
@@ -98,22 +78,14 @@ def surface(points, p):
 
 def parcels(home):
     """Positions at the last time, of all ranks."""
-    ranks = sorted(home.glob("processor[0-9]*")) or [home]
-    times = [path.name for path in ranks[0].iterdir() if isTime(path.name)]
-    last = max(times, key=float, default=None)
-    files = [rank/last/"lagrangian/powder/positions" for rank in ranks if last]
+    last = max(keptRuns.times(home), key=float, default=None)
+    files = [rank/last/"lagrangian/powder/positions"
+             for rank in keptRuns.ranks(home) or [home] if last]
     points = [point for path in files if path.is_file() for point in positions(path)]
     if not points:
         raise BadInput(f"The folder {home} holds no powder at its last time "
                        f"({last or 'there is none'}): run that variant again.")
     return points
-
-
-def isTime(name):
-    try:
-        return float(name) > 0
-    except ValueError:
-        return False
 
 
 def positions(path):
