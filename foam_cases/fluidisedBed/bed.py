@@ -40,7 +40,7 @@ def drops(folder, p):
 def netWeight(folder, p):
     """Of all spheres, less what the gas buoys, over area [Pa]."""
     balance = folder/"postProcessing/powderBalance/0/powderBalance.dat"
-    mass = np.loadtxt(balance, max_rows=1)[4]  # at the start
+    mass = np.loadtxt(balance, skiprows=1, max_rows=1)[4]  # at the start
     return mass*(1 - p["gasDensity"]/p["particleDensity"])*GRAVITY/p["area"]
 
 
