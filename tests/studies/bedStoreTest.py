@@ -38,6 +38,7 @@ class DieFilling(unittest.TestCase):
         self.work = Path(folder.name)
         self.case = self.work/"foam_cases/dieFilling"
         (self.work/"liggghts_scripts").mkdir()
+        (self.work/"studies").symlink_to(ROOT/"studies")
         self.case.mkdir(parents=True)
         source = ROOT/"foam_cases/dieFilling"
         for name in ("0", "system", "scene", "constant"):
