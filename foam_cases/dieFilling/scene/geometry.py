@@ -7,18 +7,24 @@ import math
 
 import numpy as np
 
+import stl
 
-def derived(p, given):
-    """Key -> number or vector, for every other dictionary. given: triangles of the user's surfaces."""
+
+def rig(p):
+    """Key -> number or vector, for every other dictionary: where things stand."""
     d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
     d["boundaryY"] = "f" if d["rig"] == "full" else "p"
     shoe(p, d)
     mesh(p, d)
     measured(p, d)
-    particlesBox(p, d, given)
-    parcels(p, d)
     d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
     return d
+
+
+def powder(p, d, given):
+    """The same of the powder. given: triangles of surfaces that are not made as usual."""
+    particlesBox(p, d, given)
+    parcels(p, d, given["die"])
 
 
 def shoe(p, d):
@@ -43,16 +49,19 @@ def mesh(p, d):
     d["yHigh"] = d["shoeYHigh"] + wall + room if full else d["dieYHigh"]
     d["yLow"], d["dieYLow"] = -d["yHigh"], -d["dieYHigh"]
     d["zHigh"] = 1.1*p["powderHeight"] + room
-    d["dieZLow"] = -p["dieDepth"]
+    d["dieXHigh"], d["dieZLow"] = p["dieLength"], -p["dieDepth"]
     cells = {"nUpstream": -d["xLow"], "nDie": p["dieLength"],
              "nDownstream": d["xHigh"] - p["dieLength"], "nAcross": 2*d["dieYHigh"],
              "nBeside": d["yHigh"] - d["dieYHigh"], "nAbove": d["zHigh"], "nDeep": p["dieDepth"]}
+    cells.update(nAlong=d["xHigh"] - d["xLow"], nWide=2*d["yHigh"])
     d.update({key: max(1, round(length/p["cellSize"])) for key, length in cells.items()})
+    d["nBelow"] = d["nDeep"] + 2
+    d["backgroundZLow"] = d["dieZLow"]*d["nBelow"]/d["nDeep"]
+    d["inTheAir"] = point(0.5*p["dieLength"] + 0.123*p["cellSize"], 0.217*p["cellSize"], 0.319*p["cellSize"])
 
 
 def measured(p, d):
     """Boxes of what is measured: the cavity, and the room in the shoe where it starts."""
-    point = lambda *x: "({:.9g} {:.9g} {:.9g})".format(*x)
     d["cavityLow"] = point(0, d["dieYLow"], d["dieZLow"])
     d["cavityHigh"] = point(p["dieLength"], d["dieYHigh"], 0)
     d["shoeLow"] = point(d["shoeXLow"], d["shoeYLow"], 0)
@@ -73,15 +82,19 @@ def particlesBox(p, d, given):
             d["demYLow"], d["demYHigh"] = reach(d["demYLow"], d["demYHigh"], corner[1])
 
 
-def parcels(p, d):
+def parcels(p, d, die):
     """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above."""
     d["parcelDiameter"] = p["coarseGraining"]*p["particleDiameter"]
     parcel = math.pi/6*d["parcelDiameter"]**3
     base = p["shoeLength"]*2*d["shoeYHigh"]
     d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
-    cavity = p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
+    cavity = stl.cavity(die, d)[0] if len(die) else p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
+
+
+def point(*x):
+    return "({:.9g} {:.9g} {:.9g})".format(*x)
 
 
 def reach(low, high, x):
