@@ -17,9 +17,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PatchCollection
+from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle, Rectangle
 
+sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
+sys.path.insert(0, str(case/"scene"))
+
+import parameters
+import uniformity
+from cavity import Cavity
+
 twin = case/"variants/noAir"
 ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
 plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
@@ -28,16 +36,7 @@ plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": 
 
 
 def derived():
-    numbers = {}
-    for name in ("caseParameters", "caseDerived"):
-        for line in (case/"system"/name).read_text().splitlines():
-            words = line.split("//")[0].replace(";", " ").split()
-            if len(words) == 2:
-                try:
-                    numbers[words[0]] = float(words[1])
-                except ValueError:
-                    numbers[words[0]] = words[1]
-    return numbers
+    return parameters.read(case/"system/caseParameters", case/"system/caseDerived")
 
 
 def table(folder, name):
@@ -74,7 +73,7 @@ def cells(path):
             points, at = take(3*n).reshape(-1, 3), at + 3*n
         elif word == "CELLS":
             size, at = int(words[at + 2]), at + 3
-            centres, at = points[take(size, int).reshape(-1, 9)[:, 1:]].mean(axis=1), at + size
+            centres, at = middles(points, take(size, int)), at + size
         elif word == "FIELD":
             count, at = int(words[at + 2]), at + 3
             for _ in range(count):
@@ -83,6 +82,18 @@ def cells(path):
         else:
             at += 1
     return float(data["TimeValue"][0, 0]), centres, data
+
+
+def middles(points, lists):
+    """Of cells, each a count and as many points: those at a die's slanting walls have fewer than eight."""
+    heads, at = [], 0
+    while at < len(lists):
+        heads.append(at)
+        at += lists[at] + 1
+    heads = np.array(heads)
+    mine = np.delete(lists, heads)
+    starts = heads - np.arange(len(heads))
+    return np.add.reduceat(points[mine], starts)/lists[heads][:, None]
 
 
 def parcels(path):
@@ -184,8 +195,8 @@ def shot(axes, d, air, powder):
     u = data["U"]
     free = data["solid"][:, 0] < 0.5
     level = c[np.argmin(np.abs(c[:, 1])), 1]
-    every = lambda x: np.unique(np.round(x, 7), return_inverse=True)[1] % 2 == 0
-    here = free & (np.abs(c[:, 1] - level) < 1e-7) & every(c[:, 0]) & every(c[:, 2])
+    every = lambda x: np.unique(np.round(x/d["cellSize"] - 0.5), return_inverse=True)[1] % 2 == 0
+    here = free & (np.abs(c[:, 1] - level) < 0.3*d["cellSize"]) & every(c[:, 0]) & every(c[:, 2])
     arrows = axes.quiver(mm*c[here, 0], mm*c[here, 2], u[here, 0], u[here, 2], color=withAir,
                          scale=0.2, scale_units="x", width=0.0022, angles="xy", zorder=3)
     axes.quiverkey(arrows, 0.93, 1.04, 0.25, "air 0.25 m/s", labelpos="W", color=withAir)
@@ -196,11 +207,21 @@ def shot(axes, d, air, powder):
     axes.add_patch(Rectangle((low, -deep - thick), -low, deep + thick, **walls))
     axes.add_patch(Rectangle((length, -deep - thick), right - length, deep + thick, **walls))
     axes.add_patch(Rectangle((0, -deep - thick), length, thick, **walls))
+    body(axes, d)
     height, wall = mm*d["zHigh"], mm*d["shoeWallThickness"]
     for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
         axes.add_patch(Rectangle((mm*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **walls))
     axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal")
     return dots
+
+
+def body(axes, d):
+    """What of the die's box is no cavity, in the middle of the width."""
+    cavity = Cavity.of(d, uniformity.triangles(case, d))
+    solid = ~cavity.room[:, cavity.room.shape[1]//2]
+    extent = (0, 1e3*d["dieXHigh"], 1e3*d["dieZLow"], 0)
+    axes.imshow(np.where(solid, 1, np.nan).T, extent=extent, origin="lower", zorder=2,
+                cmap=ListedColormap(["0.55"]))
 
 
 def time():

@@ -3,9 +3,8 @@
 import csv
 import json
 import math
-import re
 import statistics
-import struct
+import sys
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -14,8 +13,10 @@ import figures as engine
 from badInput import BadInput
 from tableFile import number
 
+sys.path.append(str(Path(__file__).resolve().parents[2]/"scene"))
+import cloud
+
 BINS = 10  # as many as the function object surfaceSlope has
-LIST = re.compile(rb"\n(\d+)\s*\(\s?")
 
 
 def draw(table, chosen, study):
@@ -69,7 +70,10 @@ def profiles(table, chosen, study):
         parameters = {key: number(value) for key, value in run.items()}
         others = found.setdefault(parameters["coarseGraining"], (parameters, []))
         alone(others[0], parameters)
-        others[1].append(surface(parcels(home), parameters))
+        try:
+            others[1].append(surface(cloud.parcels(home), parameters))
+        except cloud.NoPowder as reason:
+            raise BadInput(str(reason))
     if not found:
         raise BadInput(f"no folder of a run of {table.name} is kept; {missing}")
     return found
@@ -94,50 +98,3 @@ def surface(points, p):
             if heights[number] is None or z + radius > heights[number]:
                 heights[number] = z + radius
     return heights
-
-
-def parcels(home):
-    """Positions at the last time, of all ranks."""
-    ranks = sorted(home.glob("processor[0-9]*")) or [home]
-    times = [path.name for path in ranks[0].iterdir() if isTime(path.name)]
-    last = max(times, key=float, default=None)
-    files = [rank/last/"lagrangian/powder/positions" for rank in ranks if last]
-    points = [point for path in files if path.is_file() for point in positions(path)]
-    if not points:
-        raise BadInput(f"The folder {home} holds no powder at its last time "
-                       f"({last or 'there is none'}): run that variant again.")
-    return points
-
-
-def isTime(name):
-    try:
-        return float(name) > 0
-    except ValueError:
-        return False
-
-
-def positions(path):
-    """Of OpenFOAM's list '(x y z) cell', written in binary or as text."""
-    content = path.read_bytes()
-    start = content.find(b"// * *")
-    found = LIST.search(content, start) if start >= 0 else None
-    if found is None:
-        return []
-    count, at = int(found[1]), found.end()
-    try:
-        if re.search(rb"format\s+binary", content[:start]):
-            return binary(content, at, count)
-        lines = content[at:].decode().split("\n")[:count]
-        return [tuple(map(float, line[1:line.index(")")].split())) for line in lines]
-    except (ValueError, struct.error):
-        raise BadInput(f"The file {path} is torn: run that variant again.")
-
-
-def binary(content, at, count):
-    """Three doubles and a label in brackets, each on a line of its own."""
-    points = []
-    for _ in range(count):
-        at = content.index(b"(", at) + 1
-        points.append(struct.unpack_from("<3d", content, at))
-        at = content.index(b")", at + 28)
-    return points
