@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dies of other shapes: closed bodies of known volume, what is refused of a user's own, and how uniformly a cavity
 is filled, on packings whose answer is known."""
-import contextlib
-import io
 import math
 import sys
 import tempfile
@@ -137,6 +135,8 @@ class AUsersSurface(unittest.TestCase):
                                 (dict(dieWallsInAir="off"), "snapped or penalised")):
             with self.assertRaisesRegex(SystemExit, wanted):
                 airMesh.choose({**self.p, **changes}, self.d)
+        with self.assertRaisesRegex(SystemExit, "at least two cells thick"):
+            airMesh.choose(dict(self.p, cellSize=0.8e-3, shoeSurface="none"), self.d)  # walls of 1.5 mm
         with self.assertRaisesRegex(SystemExit, "sliceWidth 0, the full rig"):
             airMesh.choose(dict(self.p, dieShape="gear", dieSurface="none", sliceWidth=2e-3), dict(rig="slice"))
 

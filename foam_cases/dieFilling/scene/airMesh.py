@@ -20,9 +20,9 @@ def choose(p, d):
     if p["dieWallsInAir"] not in ("snapped", "penalised"):
         refuse("There is no such dieWallsInAir in system/caseParameters", p["dieWallsInAir"],
                "snapped or penalised", "Correct it")
-    if p["shoeWallThickness"] < 1.99*p["cellSize"] and p["shoeSurface"] == "none":
+    d["airMesh"] = p["dieWallsInAir"] if own or shape != "rectangular" else "blocks"
+    if d["airMesh"] == "snapped" and p["shoeSurface"] == "none" and p["shoeWallThickness"] < 1.99*p["cellSize"]:
         # The solver compares with the finest cell, and cells beside the die's walls are smaller than those on the way.
         refuse("The shoe's walls must be at least two cells thick, or air leaks through them",
                f"shoeWallThickness {p['shoeWallThickness']:g} m", f"at least {2*p['cellSize']:g} m",
                "Thicken them or make cellSize smaller, in system/caseParameters")
-    d["airMesh"] = p["dieWallsInAir"] if own or shape != "rectangular" else "blocks"
