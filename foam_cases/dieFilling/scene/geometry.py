@@ -89,6 +89,8 @@ def parcels(p, d, die):
     base = p["shoeLength"]*2*d["shoeYHigh"]
     d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
     cavity = stl.cavity(die, d)[0] if len(die) else p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
+    d["cavityVolume"] = cavity
+    d["airVolume"] = (d["xHigh"] - d["xLow"])*(d["yHigh"] - d["yLow"])*d["zHigh"] + cavity
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
 
