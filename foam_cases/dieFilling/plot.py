@@ -18,9 +18,10 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-sys.path.insert(0, str(case/"plotting"))
+sys.path[:0] = [str(case/"plotting"), str(case/"scene")]
 
 import section
+import uniformity
 from runFolder import cells, derived, instants, parcels
 
 twin = case/"variants/noAir"
@@ -114,13 +115,14 @@ def shot(axes, d, air, powder):
     u = data["U"]
     free = data["solid"][:, 0] < 0.5
     level = c[np.argmin(np.abs(c[:, 1])), 1]
-    every = lambda x: np.unique(np.round(x, 7), return_inverse=True)[1] % 2 == 0
-    here = free & (np.abs(c[:, 1] - level) < 1e-7) & every(c[:, 0]) & every(c[:, 2])
+    every = lambda x: np.unique(np.round(x/d["cellSize"] - 0.5), return_inverse=True)[1] % 2 == 0
+    here = free & (np.abs(c[:, 1] - level) < 0.3*d["cellSize"]) & every(c[:, 0]) & every(c[:, 2])
     arrows = axes.quiver(mm*c[here, 0], mm*c[here, 2], u[here, 0], u[here, 2], color=withAir,
                          scale=0.2, scale_units="x", width=0.0022, angles="xy", zorder=3)
     axes.quiverkey(arrows, 0.93, 1.04, 0.25, "air 0.25 m/s", labelpos="W", color=withAir)
 
     section.walls(axes, d, t)
+    section.die(axes, d, uniformity.triangles(case, d))
     axes.set(xlim=(mm*d["xLow"], mm*d["xHigh"]), aspect="equal",
              ylim=(-mm*d["dieDepth"] - section.FLOOR, mm*d["zHigh"]))
     return dots

@@ -44,7 +44,7 @@ class DieFilling(unittest.TestCase):
         for name in ("0", "system", "scene", "constant"):
             shutil.copytree(source/name, self.case/name, ignore=shutil.ignore_patterns(
                 "polyMesh", "triSurface", "caseDerived", "ranks"))
-        for name in ("variant", "prepare", "run", "measure"):
+        for name in ("variant", "prepare", "run", "measure", "uniformity"):
             shutil.copy(source/name, self.case)
 
 

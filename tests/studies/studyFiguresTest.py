@@ -26,6 +26,7 @@ import criticalSize
 import matplotlib.pyplot as plt
 import surface
 import tableFile
+from surface import cloud
 from badInput import BadInput
 
 plt.rcParams["savefig.dpi"] = 50  # enough to compare, and faster
@@ -237,10 +238,10 @@ class Surface(Folder):
         points = [(1e-3, tricky, -2e-3), (0.1 + 0.2, -0.0, 1/3)]
         for binary in (True, False):
             path = self.positions(self.work/str(binary), points, binary)
-            self.assertEqual(surface.positions(path), points)
+            self.assertEqual(cloud.positions(path), points)
         path.write_bytes(path.read_bytes()[:-40])
-        with self.assertRaisesRegex(BadInput, "is torn: run that variant again"):
-            surface.positions(path)
+        with self.assertRaisesRegex(cloud.NoPowder, "is torn: run that variant again"):
+            cloud.positions(path)
 
     def testTakesTheHighestParcelOfEachTenth(self):
         """Die 8 x 5 mm, parcels of 0.4 mm: the first tenth ends at 0.8 mm. Above 0: not in the die."""

@@ -5,24 +5,14 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+import parameters
+
 TIME = re.compile(rb"TimeValue 1 1 \w+\s+(\S+)")
 
 
 def derived(folder):
     """Parameters and what follows from them: key -> number or word."""
-    return {**numbers(folder/"system/caseParameters"), **numbers(folder/"system/caseDerived")}
-
-
-def numbers(dictionary):
-    found = {}
-    for line in dictionary.read_text().splitlines():
-        words = line.split("//")[0].replace(";", " ").split()
-        if len(words) == 2:
-            try:
-                found[words[0]] = float(words[1])
-            except ValueError:
-                found[words[0]] = words[1]
-    return found
+    return parameters.read(folder/"system/caseParameters", folder/"system/caseDerived")
 
 
 def shoeAt(d, t):
@@ -62,7 +52,7 @@ def cells(path):
             points, at = take(3*n).reshape(-1, 3), at + 3*n
         elif word == "CELLS":
             size, at = int(words[at + 2]), at + 3
-            centres, at = points[take(size, int).reshape(-1, 9)[:, 1:]].mean(axis=1), at + size
+            centres, at = middles(points, take(size, int)), at + size
         elif word == "FIELD":
             count, at = int(words[at + 2]), at + 3
             for _ in range(count):
@@ -71,6 +61,18 @@ def cells(path):
         else:
             at += 1
     return float(data["TimeValue"][0, 0]), centres, data
+
+
+def middles(points, lists):
+    """Of cells, each a count and as many points: those at a die's slanting walls have fewer than eight."""
+    heads, at = [], 0
+    while at < len(lists):
+        heads.append(at)
+        at += lists[at] + 1
+    heads = np.array(heads)
+    mine = np.delete(lists, heads)
+    starts = heads - np.arange(len(heads))
+    return np.add.reduceat(points[mine], starts)/lists[heads][:, None]
 
 
 def parcels(path):

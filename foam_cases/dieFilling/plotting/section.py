@@ -2,8 +2,10 @@
 """The middle of die and shoe, seen from the side: parcels and walls, in mm."""
 import numpy as np
 from matplotlib.collections import PatchCollection
+from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle, Rectangle
 
+from cavity import Cavity
 from runFolder import shoeAt
 
 MM = 1e3
@@ -36,3 +38,12 @@ def walls(axes, d, t):
     height, wall = MM*d["zHigh"], MM*d["shoeWallThickness"]
     for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
         axes.add_patch(Rectangle((MM*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **looks))
+
+
+def die(axes, d, triangles):
+    """What of the die's box is no cavity, in the middle of the width. triangles: of a die that is no box."""
+    cavity = Cavity.of(d, triangles)
+    solid = ~cavity.room[:, cavity.room.shape[1]//2]
+    extent = (0, MM*d["dieXHigh"], MM*d["dieZLow"], 0)
+    axes.imshow(np.where(solid, 1, np.nan).T, extent=extent, origin="lower", zorder=2,
+                cmap=ListedColormap(["0.55"]))

@@ -7,20 +7,26 @@ import math
 
 import numpy as np
 
+import stl
 
-def derived(p, given, sizes=None):
-    """Key -> number or vector, for every other dictionary. given: triangles of the user's surfaces; sizes: None if all
-    particles have the same."""
+
+def rig(p):
+    """Key -> number or vector, for every other dictionary: where things stand."""
     d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
     d["boundaryY"] = "f" if d["rig"] == "full" else "p"
     shoe(p, d)
     mesh(p, d)
     measured(p, d)
-    particlesBox(p, d, given)
-    parcels(p, d, sizes)
     d["hertzFraction"] = 0.75*p["rayleighFraction"]
     d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
     return d
+
+
+def powder(p, d, given, sizes):
+    """The same of the powder. given: triangles of surfaces that are not made as usual; sizes: None if all particles
+    have the same."""
+    particlesBox(p, d, given)
+    parcels(p, d, given["die"], sizes)
 
 
 def shoe(p, d):
@@ -45,16 +51,19 @@ def mesh(p, d):
     d["yHigh"] = d["shoeYHigh"] + wall + room if full else d["dieYHigh"]
     d["yLow"], d["dieYLow"] = -d["yHigh"], -d["dieYHigh"]
     d["zHigh"] = 1.1*p["powderHeight"] + room
-    d["dieZLow"] = -p["dieDepth"]
+    d["dieXHigh"], d["dieZLow"] = p["dieLength"], -p["dieDepth"]
     cells = {"nUpstream": -d["xLow"], "nDie": p["dieLength"],
              "nDownstream": d["xHigh"] - p["dieLength"], "nAcross": 2*d["dieYHigh"],
              "nBeside": d["yHigh"] - d["dieYHigh"], "nAbove": d["zHigh"], "nDeep": p["dieDepth"]}
+    cells.update(nAlong=d["xHigh"] - d["xLow"], nWide=2*d["yHigh"])
     d.update({key: max(1, round(length/p["cellSize"])) for key, length in cells.items()})
+    d["nBelow"] = d["nDeep"] + 2
+    d["backgroundZLow"] = d["dieZLow"]*d["nBelow"]/d["nDeep"]
+    d["inTheAir"] = point(0.5*p["dieLength"] + 0.123*p["cellSize"], 0.217*p["cellSize"], 0.319*p["cellSize"])
 
 
 def measured(p, d):
     """Boxes of what is measured: the cavity, and the room in the shoe where it starts."""
-    point = lambda *x: "({:.9g} {:.9g} {:.9g})".format(*x)
     d["cavityLow"] = point(0, d["dieYLow"], d["dieZLow"])
     d["cavityHigh"] = point(p["dieLength"], d["dieYHigh"], 0)
     d["shoeLow"] = point(d["shoeXLow"], d["shoeYLow"], 0)
@@ -75,7 +84,7 @@ def particlesBox(p, d, given):
             d["demYLow"], d["demYHigh"] = reach(d["demYLow"], d["demYHigh"], corner[1])
 
 
-def parcels(p, d, sizes):
+def parcels(p, d, die, sizes):
     """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above. Of
     several sizes, the parcel's diameter is the Sauter mean."""
     k = p["coarseGraining"]
@@ -83,7 +92,9 @@ def parcels(p, d, sizes):
     parcel = math.pi/6*(k*sizes.meanVolume() if sizes else d["parcelDiameter"])**3
     base = p["shoeLength"]*2*d["shoeYHigh"]
     d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
-    cavity = p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
+    cavity = stl.cavity(die, d)[0] if len(die) else p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
+    d["cavityVolume"] = cavity
+    d["airVolume"] = (d["xHigh"] - d["xLow"])*(d["yHigh"] - d["yLow"])*d["zHigh"] + cavity
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
     if sizes:
@@ -91,6 +102,10 @@ def parcels(p, d, sizes):
         d["meanVolumeDiameter"] = sizes.meanVolume()
         d["meanVolumeRadius"] = 0.5*k*sizes.meanVolume()
         d["smallestRadius"], d["largestRadius"] = 0.5*k*sizes.diameters[[0, -1]]
+
+
+def point(*x):
+    return "({:.9g} {:.9g} {:.9g})".format(*x)
 
 
 def reach(low, high, x):

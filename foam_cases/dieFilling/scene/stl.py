@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Triangles: STL files, and cutting and splitting surfaces as LIGGGHTS needs them."""
+"""Triangles: STL files, what they enclose, and cutting and splitting surfaces as LIGGGHTS needs them."""
 import math
 import re
 
 import numpy as np
+
+SAME = 1e-8     # points closer than this are one [m]
 
 
 def read(path):
@@ -11,8 +13,48 @@ def read(path):
     if data[:5] == b"solid" and b"facet" in data[:1000]:
         numbers = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data)
         return np.array(numbers, float).reshape(-1, 3, 3)
+    if len(data) < 134 or len(data) != 84 + 50*int.from_bytes(data[80:84], "little"):
+        return np.empty((0, 3, 3))
     kind = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("colour", "<u2")])
     return np.frombuffer(data[84:], kind)["points"].astype(float)
+
+
+def openEdges(triangles):
+    """Edges that are not shared by just two triangles which agree on where outside is: [ends]. Closed: none."""
+    points, number = np.unique(np.round(triangles.reshape(-1, 3)/SAME).astype(np.int64), axis=0,
+                               return_inverse=True)
+    corners = number.reshape(-1, 3)
+    ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    way = lambda a, b: a*len(points) + b
+    ways, times = np.unique(way(*ends.T), return_counts=True)
+    single = ways[times == 1]
+    partners = np.isin(way(*ends.T), single) & np.isin(way(*ends.T[::-1]), single)
+    return SAME*points[ends[~partners]]
+
+
+def volume(triangles):
+    """Enclosed by a closed surface [m3]; negative if its normals point inwards."""
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    return float(np.einsum("ij,ij->", a, np.cross(b, c))/6)
+
+
+def plan(triangles):
+    """Area of each in plan [m2], positive if it faces up."""
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    return 0.5*np.cross(b - a, c - a)[:, 2]
+
+
+def cavity(triangles, d):
+    """Volume [m3] of a die and area of its mouth [m2], of a body of table and die whose table is z = 0. Over each
+    place of the mouth there is ground below: each triangle bounds a column up to the table."""
+    if d["rig"] == "slice":
+        triangles = np.array(cut(triangles.tolist(), d["dieYLow"], d["dieYHigh"]))
+    middle = triangles.mean(axis=1)
+    inside = ((middle[:, 0] > -SAME) & (middle[:, 0] < d["dieXHigh"] + SAME)
+              & (np.abs(middle[:, 1]) < d["dieYHigh"] + SAME) & (middle[:, 2] < -SAME)
+              & (triangles[:, :, 2].min(axis=1) > d["dieZLow"] - SAME))
+    area = plan(triangles[inside])
+    return float(-np.sum(area*middle[inside, 2])), float(np.sum(area))
 
 
 def cut(triangles, low, high):

@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The powder's surface in the die at the end, for each k, from the folders of runs that were kept."""
 import math
-import re
 import statistics
-import struct
 
 import matplotlib.pyplot as plt
 
+import cloud
 import figures as engine
 import keptRuns
 from badInput import BadInput
 
 BINS = 10  # as many as the function object surfaceSlope has
-LIST = re.compile(rb"\n(\d+)\s*\(\s?")
 
 
 def draw(table, chosen, study):
@@ -53,7 +51,10 @@ def profiles(table, chosen, study):
     for parameters, home in keptRuns.found(table, chosen, study):
         others = found.setdefault(parameters["coarseGraining"], (parameters, []))
         alone(others[0], parameters)
-        others[1].append(surface(parcels(home), parameters))
+        try:
+            others[1].append(surface(cloud.parcels(home), parameters))
+        except cloud.NoPowder as reason:
+            raise BadInput(str(reason))
     return found
 
 
@@ -74,42 +75,3 @@ def surface(points, p):
             if heights[number] is None or z + radius > heights[number]:
                 heights[number] = z + radius
     return heights
-
-
-def parcels(home):
-    """Positions at the last time, of all ranks."""
-    last = max(keptRuns.times(home), key=float, default=None)
-    files = [rank/last/"lagrangian/powder/positions"
-             for rank in keptRuns.ranks(home) or [home] if last]
-    points = [point for path in files if path.is_file() for point in positions(path)]
-    if not points:
-        raise BadInput(f"The folder {home} holds no powder at its last time "
-                       f"({last or 'there is none'}): run that variant again.")
-    return points
-
-
-def positions(path):
-    """Of OpenFOAM's list '(x y z) cell', written in binary or as text."""
-    content = path.read_bytes()
-    start = content.find(b"// * *")
-    found = LIST.search(content, start) if start >= 0 else None
-    if found is None:
-        return []
-    count, at = int(found[1]), found.end()
-    try:
-        if re.search(rb"format\s+binary", content[:start]):
-            return binary(content, at, count)
-        lines = content[at:].decode().split("\n")[:count]
-        return [tuple(map(float, line[1:line.index(")")].split())) for line in lines]
-    except (ValueError, struct.error):
-        raise BadInput(f"The file {path} is torn: run that variant again.")
-
-
-def binary(content, at, count):
-    """Three doubles and a label in brackets, each on a line of its own."""
-    points = []
-    for _ in range(count):
-        at = content.index(b"(", at) + 1
-        points.append(struct.unpack_from("<3d", content, at))
-        at = content.index(b")", at + 28)
-    return points
