@@ -171,7 +171,7 @@ class Sections(Folder):
         study = yaml.safe_load((case/"studies/sections.yaml").read_text())
         for speed in study["vary"]["shoeSpeed"]:
             p = {**runFolder.parameters.read(case/"system/caseParameters"), **study["base"], "shoeSpeed": speed}
-            d = {**p, **geometry.derived(p, {name: np.empty((0, 3, 3)) for name in ("die", "shoe")})}
+            d = {**p, **geometry.rig(p)}
             travels = [runFolder.shoeAt(d, n*d["pictureInterval"]) for n in range(1, p["pictures"] + 1)]
             for _, _, place in velocitySections.PLACES:
                 self.assertLess(min(abs(travel - place(d)) for travel in travels), 0.7*MM)
