@@ -9,7 +9,6 @@ import subprocess
 import sys
 import unittest
 
-import numpy as np
 import yaml
 
 from studyFiguresTest import Folder, ROOT, program, row
