@@ -32,12 +32,13 @@ def draw(choices, measure, orders, folder):
 
 
 class Axis:
-    """How a difference of a measure is written and scaled."""
+    """How a measure, and a difference of it, is written and scaled."""
 
     def __init__(self, choices, measure):
         about = choices.table.about.get(measure, {})
         self.scale, unit = shownAs.scale(about), shownAs.unit(about)
-        self.unit = "percentage points" if unit == "%" else superscripts(unit)
+        self.valueUnit = superscripts(unit)
+        self.unit = "percentage points" if unit == "%" else self.valueUnit
         symbol = mathematics(about.get("symbol", ""))
         self.symbol = symbol or readable(measure)
         self.words = about.get("text") or readable(measure)

@@ -9,8 +9,12 @@ from tables import sheet
 
 
 def write(choices, orders, folder):
+    return save({"accuracy.csv": sheet(rows(choices)), "accuracy.md": markdown(choices, orders)}, folder)
+
+
+def save(content, folder):
+    """Files of a report, name -> words; their paths."""
     paths = []
-    content = {"accuracy.csv": sheet(rows(choices)), "accuracy.md": markdown(choices, orders)}
     for name, words in content.items():
         path = folder/name
         try:

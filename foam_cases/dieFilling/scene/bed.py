@@ -18,9 +18,9 @@ import numpy as np
 
 # The bed depends on these, and on the walls; not on the air or the shoe's speed.
 POURING = """particleDiameter particleDensity coarseGraining powderHeight bed seed youngsModulus
-    poissonsRatio restitution friction rollingFriction rollingModel shoeYoungsModulus
-    shoeRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh
-    shoeXLow shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
+    poissonsRatio restitution friction wallFriction rollingFriction rollingModel wallYoungsModulus
+    wallRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh shoeXLow
+    shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
 
 
 class Bed:
@@ -89,7 +89,7 @@ class Bed:
         variables = dict(self.values, case=self.case, scripts=self.scripts, result=result,
                          parcels=parcels, place=place)
         if bed == "tapped":
-            variables.update(contactFriction=0, contactRolling=0)
+            variables.update(contactFriction=0, wallFriction=0, contactRolling=0)
         # Line by line: what LIGGGHTS says of an error would be lost in a buffer when it aborts.
         command = ["stdbuf", "-oL", "liggghts", "-in", str(self.scripts/"dieFillingPour.in"),
                    "-log", str(log)]

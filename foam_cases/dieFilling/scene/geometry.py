@@ -8,6 +8,8 @@ import math
 import numpy as np
 
 import stl
+from wrong import refuse
+
 
 
 def rig(p):
@@ -32,6 +34,10 @@ def powder(p, d, given, sizes):
 def shoe(p, d):
     """The shoe starts short of the die and stops beyond it, clear by a few parcels."""
     clear, wall = 1e-3, p["shoeWallThickness"]
+    if p["powderHeight"] >= p["shoeHeight"]:
+        refuse("The powder must not be higher than the shoe, or it would run over its walls.",
+               f"powderHeight {p['powderHeight']:g} m   system/caseParameters",
+               f"less than shoeHeight, {p['shoeHeight']:g} m", "Pour less powder, or make the shoe higher.")
     d["shoeXHigh"] = -(wall + clear)
     d["shoeXLow"] = d["shoeXHigh"] - p["shoeLength"]
     d["shoeYHigh"] = 0.5*(p["shoeWidth"] if d["rig"] == "full" else p["sliceWidth"])
@@ -76,7 +82,9 @@ def particlesBox(p, d, given):
     d["demXLow"], d["demXHigh"] = d["shoeXLow"] - around, d["shoeXHigh"] + d["travel"] + around
     d["demYHigh"] = d["shoeYHigh"] + (around if full else 0)
     d["demYLow"] = -d["demYHigh"]
-    d["demZLow"], d["demZHigh"] = -1.2*p["dieDepth"], p["shoeHeight"] + around
+    # The column from which dieFillingPour.in pours may be higher than the shoe.
+    column = 0.58/0.25*p["powderHeight"] + 4*p["coarseGraining"]*p["particleDiameter"]
+    d["demZLow"], d["demZHigh"] = -1.2*p["dieDepth"], max(p["shoeHeight"], 1.1*column) + around
     for corner in np.concatenate(list(given.values())).reshape(-1, 3):
         d["demXLow"], d["demXHigh"] = reach(d["demXLow"], d["demXHigh"], corner[0])
         d["demZLow"], d["demZHigh"] = reach(d["demZLow"], d["demZHigh"], corner[2])
