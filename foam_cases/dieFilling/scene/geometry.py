@@ -11,7 +11,6 @@ import stl
 from wrong import refuse
 
 
-
 def rig(p):
     """Key -> number or vector, for every other dictionary: where things stand."""
     d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
