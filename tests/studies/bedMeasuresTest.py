@@ -226,7 +226,7 @@ class BubblingBed(ACase):
         self.assertIsNone(self.measured()["meanDrop"])
 
     def testCanBeStudied(self):
-        self.canBeStudied("18 variants, 54 runs")
+        self.canBeStudied("14 variants, 42 runs")
 
     def testHasOneKnobForAllDirectionsOfTheMesh(self):
         for size, cells in ((None, ("2", "30", "90")), (10e-3, ("1", "15", "45")), (3.333e-3, ("3", "45", "135"))):
