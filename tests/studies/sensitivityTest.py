@@ -221,7 +221,8 @@ class Command(Tables):
         self.refused("has no rows", [])
 
     def testOfTwoTogetherLacksNothing(self):
-        wanted = "needs all 9 combinations of height and friction, and table.csv has no value for height 20 mm, friction 1"
+        wanted = ("needs all 9 combinations of height and friction, and table.csv has no value for height 20 mm, "
+                  "friction 1")
         self.refused(wanted, GRID[:-1])
         self.refused(wanted, GRID[:-1] + [row("", "", 0, "failed", height=0.02, friction=1.0)])
 

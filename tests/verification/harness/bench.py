@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import sys
 
 from . import case as cases
@@ -122,6 +123,7 @@ def main(verify):
     options.add_argument("--ranks", type=int, default=1)
     options.add_argument("--naive", help="folder of solvers with naive choices")
     chosen = options.parse_args()
+    shutil.rmtree(chosen.work, ignore_errors=True)  # what an earlier run left may be of other sources
     name = pathlib.Path(sys.argv[0]).stem
     bench = Bench(name, chosen.solver, chosen.work, chosen.ranks, chosen.naive)
     verify(bench)
