@@ -130,6 +130,19 @@ InputError torn(const fileName& folder, const std::string& found)
         "Copy them anew, or delete this time folder to go on from the one before."});
 }
 
+// Of a record; one that an earlier version wrote may lack it.
+template<class Type>
+Type entry(const dictionary& record, const word& key)
+{
+    if (!record.found(key))
+    {
+        throw InputError({"A run goes on from a checkpoint that this version wrote.", "no entry " + key,
+            "all entries of a checkpoint", record.name(),
+            "Go on with the version that wrote it, or begin anew."});
+    }
+    return record.get<Type>(key);
+}
+
 } // namespace
 
 fileName Checkpoint::particlesOf(const Time& time)
@@ -205,27 +218,28 @@ std::optional<Checkpoint> Checkpoint::of(const Time& clock)
         throw torn(folder/recordName, "a file that ends too early");
     }
     IStringStream stream(text);
-    const dictionary dict(stream);
-    if (dict.get<string>("digest") != digest)
+    dictionary record(stream);
+    record.name() = folder/recordName;
+    if (entry<string>(record, "digest") != digest)
     {
         throw torn(folder/particlesName, "other bytes than were written");
     }
     Checkpoint c;
-    c.time = dict.get<scalar>("time");
-    c.start = dict.get<scalar>("start");
-    c.deltaT = dict.get<scalar>("deltaT");
-    c.timeIndex = dict.get<label>("timeIndex");
-    c.response = dict.get<scalar>("response");
-    c.lag = dict.get<scalar>("lag");
-    c.initialMass = dict.get<scalar>("initialMass");
-    c.lost = std::llround(dict.get<scalar>("lost"));
-    c.dem = readDem(dict.subDict("dem"));
-    c.particles = std::llround(dict.get<scalar>("particles"));
-    c.mass = dict.get<scalar>("mass");
-    c.coarseGraining = dict.get<scalar>("coarseGraining");
-    c.cells = dict.get<label>("cells");
-    c.bounds = dict.get<boundBox>("bounds");
-    c.owed = dict.get<vector>("owed");
+    c.time = entry<scalar>(record, "time");
+    c.start = entry<scalar>(record, "start");
+    c.deltaT = entry<scalar>(record, "deltaT");
+    c.timeIndex = entry<label>(record, "timeIndex");
+    c.response = entry<scalar>(record, "response");
+    c.lag = entry<scalar>(record, "lag");
+    c.initialMass = entry<scalar>(record, "initialMass");
+    c.lost = std::llround(entry<scalar>(record, "lost"));
+    c.dem = readDem(record.subDict("dem"));
+    c.particles = std::llround(entry<scalar>(record, "particles"));
+    c.mass = entry<scalar>(record, "mass");
+    c.coarseGraining = entry<scalar>(record, "coarseGraining");
+    c.cells = entry<label>(record, "cells");
+    c.bounds = entry<boundBox>(record, "bounds");
+    c.owed = entry<vector>(record, "owed");
     return c;
 }
 

@@ -3,11 +3,9 @@
 
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/laws/InputError.hpp"
-#include "coupling/laws/TimeScales.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
 #include "IOstreams.H"
-#include "mathematicalConstants.H"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +118,7 @@ double TimeStepChoice::outputsUntil(double time, double demStep) const
     return std::floor((time - start_ + 0.5*demStep)/writeInterval_);
 }
 
-TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const DemEngine& dem) const
+DemStepLimits TimeStepChoice::demLimits(const Scene& scene, const DemEngine& dem) const
 {
     const auto property = [&](const char* name)
     {
@@ -134,31 +132,14 @@ TimeStepChoice::DemLimits TimeStepChoice::demLimits(const Scene& scene, const De
         }
         return values;
     };
-    const std::vector<double> youngs = property("youngsModulus");
-    const std::vector<double> poisson = property("poissonsRatio");
-    const double restitution = extreme(dem.materialProperty("coefficientRestitution"), -1, 1);
-    const bool rough = extreme(dem.materialProperty("coefficientFriction"), 1, 0) > 0;
-
-    DemLimits limits;
-    for (std::size_t type = 0; type < youngs.size(); ++type)
-    {
-        const double nu = poisson[std::min(type, poisson.size() - 1)];
-        limits.rayleigh = std::min(
-            limits.rayleigh, rayleighTime(scene.radius, scene.density, youngs[type], nu));
-        const double mass = 4.0/3.0*constant::mathematical::pi*std::pow(scene.radius, 3)
-            *scene.density;
-        const double modulus = youngs[type]/(2*(1 - nu*nu));
-        const double speed = std::max(scene.speed, expectedSpeed_);
-        limits.hertz =
-            std::min(limits.hertz, hertzTime(mass/2, scene.radius/2, modulus, speed));
-        if (rough && restitution < 1)
-        {
-            limits.dashpot = std::min(limits.dashpot,
-                tangentialDampingTime(mass/2, scene.radius/2, modulus,
-                    youngs[type]/(4*(2 - nu)*(1 + nu)), restitution, speed));
-        }
-    }
-    return limits;
+    ContactMaterials materials;
+    materials.youngsModulus = property("youngsModulus");
+    materials.poissonsRatio = property("poissonsRatio");
+    materials.ofParticles = dem.particleTypes();
+    materials.restitution = extreme(dem.materialProperty("coefficientRestitution"), -1, 1);
+    materials.rough = extreme(dem.materialProperty("coefficientFriction"), 1, 0) > 0;
+    return demStepLimits(
+        materials, scene.radius, scene.density, std::max(scene.speed, expectedSpeed_));
 }
 
 // A set-up of LIGGGHTS costs time and disturbs the last digits: only for another step.
@@ -170,7 +151,7 @@ void TimeStepChoice::setDemStep(double step, DemEngine& dem)
     }
 }
 
-void TimeStepChoice::warnOfLongStep(double step, const DemLimits& limits, double speed)
+void TimeStepChoice::warnOfLongStep(double step, const DemStepLimits& limits, double speed)
 {
     if (warned_ || (step < 0.25*limits.rayleigh && step < 0.2*limits.hertz))
     {
@@ -200,7 +181,7 @@ void TimeStepChoice::chooseDemStep(const Scene& scene, DemEngine& dem)
         return;
     }
 
-    const DemLimits limits = demLimits(scene, dem);
+    const DemStepLimits limits = demLimits(scene, dem);
     double step = fixedDemStep_;
     if (fixedDemStep_ > 0)
     {

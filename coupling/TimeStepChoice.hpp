@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/laws/DemStepLimits.hpp"
+
 #include "Time.H"
 
-#include <algorithm>
 #include <string>
 
 namespace interstice
@@ -22,7 +23,7 @@ class DemEngine;
 ///     first step                     deltaT                 system/controlDict
 ///     growth                         1.2 of the last step and one DEM step
 ///     output                         the next write time or the end
-/// Limits of the DEM step: Rayleigh time, Hertz time, time of friction's dashpot (laws/TimeScales.hpp),
+/// Limits of the DEM step: Rayleigh time, Hertz time, time of friction's dashpot (laws/DemStepLimits.hpp),
 /// bounds of the case.
 class TimeStepChoice
 {
@@ -67,19 +68,9 @@ public:
     long demSteps() const { return demSteps_; }
 
 private:
-    struct DemLimits
-    {
-        double rayleigh = Foam::GREAT; // [s]
-        double hertz = Foam::GREAT;
-        double dashpot = Foam::GREAT; // of friction, explicit in LIGGGHTS
-
-        /// Beyond this contacts gain energy. [s]
-        double longestStep() const { return std::min({0.5*rayleigh, 0.5*hertz, dashpot}); }
-    };
-
-    DemLimits demLimits(const Scene& scene, const DemEngine& dem) const;
+    DemStepLimits demLimits(const Scene& scene, const DemEngine& dem) const;
     void chooseDemStep(const Scene& scene, DemEngine& dem);
-    void warnOfLongStep(double step, const DemLimits& limits, double speed);
+    void warnOfLongStep(double step, const DemStepLimits& limits, double speed);
     static void setDemStep(double step, DemEngine& dem);
     double largestStep(const Scene& scene, double demStep);
     void refuseUnstable(const Scene& scene, double step) const;

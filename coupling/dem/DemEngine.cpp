@@ -1,89 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/dem/DemEngine.hpp"
-
-#include "coupling/dem/AirForce.hpp"
-#include "coupling/dem/LiggghtsInstance.hpp"
-#include "coupling/dem/MeshWalls.hpp"
+#include "coupling/dem/DemEngineImplementation.hpp"
 #include "coupling/laws/InputError.hpp"
 
-#include <lammps.h>
-
-#include <atom.h>
-#include <domain.h>
-#include <fix_gravity.h>
-#include <fix_property_global.h>
-#include <force.h>
-#include <modify.h>
 #include <update.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
 
 namespace interstice
 {
-
-struct DemEngine::Implementation
-{
-    Implementation(MPI_Comm communicator, const DemOptions& options)
-        : liggghts(communicator, options), walls(liggghts.lammps(), liggghts.communicator())
-    {
-    }
-
-    bool coupled() const
-    {
-        return air != nullptr;
-    }
-
-    /// After whatever may have changed the run. A set-up of LIGGGHTS ends by forgetting that walls
-    /// move: until the next step they would stand still for the powder and the air.
-    void setUp()
-    {
-        air->actLast();
-        const std::map<std::string, WallPose> motion = walls.poses();
-        walls.setVelocities(motion);
-        liggghts.setUp();
-        walls.setVelocities(motion);
-        walls.record();
-        upToDate = true;
-    }
-
-    /// The same where forces are what they were: the path then goes on as without it.
-    void setUpAgain()
-    {
-        air->keepForces();
-        setUp();
-        air->restoreForces();
-    }
-
-    LAMMPS_NS::Atom& atom() const
-    {
-        return *liggghts.lammps().atom;
-    }
-
-    double reduced(double mine, MPI_Op operation) const
-    {
-        double all = 0;
-        MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, operation, liggghts.communicator());
-        return all;
-    }
-
-    bool anyFix(const std::function<bool(const LAMMPS_NS::Fix&)>& is) const
-    {
-        const LAMMPS_NS::Modify& modify = *liggghts.lammps().modify;
-        return std::any_of(modify.fix, modify.fix + modify.nfix,
-                           [&is](const LAMMPS_NS::Fix* fix) { return is(*fix); });
-    }
-
-    dem::LiggghtsInstance liggghts;
-    dem::MeshWalls walls;
-    std::unique_ptr<dem::AirForce> air;
-    std::string script; ///< the last one that ran
-    bool upToDate = false; ///< no command has come since the last set-up
-};
 
 DemEngine::DemEngine(MPI_Comm communicator, const DemOptions& options)
     : implementation_(std::make_unique<Implementation>(communicator, options))
@@ -152,94 +79,10 @@ void DemEngine::prepare()
     implementation_->air = std::make_unique<dem::AirForce>(implementation_->liggghts.lammps());
 }
 
-bool DemEngine::hasBox() const
-{
-    return implementation_->liggghts.lammps().domain->box_exist != 0;
-}
-
-bool DemEngine::hasIntegrator() const
-{
-    return implementation_->anyFix(
-        [](const LAMMPS_NS::Fix& fix) { return fix.time_integrate != 0; });
-}
-
-bool DemEngine::hasGranularPair() const
-{
-    LAMMPS_NS::Force& force = *implementation_->liggghts.lammps().force;
-    return force.pair && force.pair_match("gran", 0);
-}
-
-bool DemEngine::hasWalls() const
-{
-    return implementation_->anyFix([](const LAMMPS_NS::Fix& fix)
-                                   { return std::strncmp(fix.style, "wall/gran", 9) == 0; });
-}
-
-DemBox DemEngine::box() const
-{
-    const LAMMPS_NS::Domain& domain = *implementation_->liggghts.lammps().domain;
-    DemBox box;
-    for (int k = 0; k < 3; ++k)
-    {
-        box.low[k] = domain.boxlo[k];
-        box.high[k] = domain.boxhi[k];
-        box.periodic[k] = domain.periodicity[k] != 0;
-    }
-    return box;
-}
-
-Vector3 DemEngine::gravity() const
-{
-    const LAMMPS_NS::Modify& modify = *implementation_->liggghts.lammps().modify;
-    Vector3 sum{};
-    for (int i = 0; i < modify.nfix; ++i)
-    {
-        if (auto* gravity = dynamic_cast<LAMMPS_NS::FixGravity*>(modify.fix[i]))
-        {
-            Vector3 one{};
-            gravity->get_gravity(one.data());
-            for (int k = 0; k < 3; ++k)
-            {
-                sum[k] += one[k];
-            }
-        }
-    }
-    return sum;
-}
-
-std::vector<double> DemEngine::materialProperty(const std::string& name) const
-{
-    const LAMMPS_NS::Modify& modify = *implementation_->liggghts.lammps().modify;
-    for (int i = 0; i < modify.nfix; ++i)
-    {
-        auto* property = dynamic_cast<LAMMPS_NS::FixPropertyGlobal*>(modify.fix[i]);
-        const auto has = [&](const char* shape)
-        { return property && property->check_fix(name.c_str(), shape, 0, 0, "", false); };
-        int count = 0;
-        if (has("scalar"))
-        {
-            count = 1;
-        }
-        else if (has("vector"))
-        {
-            count = property->size_vector;
-        }
-        else if (has("matrix"))
-        {
-            count = property->size_array_rows*property->size_array_cols;
-        }
-        if (count > 0)
-        {
-            return {property->get_values(), property->get_values() + count};
-        }
-    }
-    return {};
-}
-
 ParticleView DemEngine::particles() const
 {
     const LAMMPS_NS::Atom& atom = implementation_->atom();
-    return {atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag};
+    return {atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type};
 }
 
 long long DemEngine::particleCount() const
@@ -278,6 +121,19 @@ double DemEngine::minimumRadius() const
         here.count ? *std::min_element(here.radius, here.radius + here.count) : none;
     const double all = implementation_->reduced(mine, MPI_MIN);
     return all == none ? 0 : all;
+}
+
+std::vector<bool> DemEngine::particleTypes() const
+{
+    std::vector<int> present(implementation_->atom().ntypes, 0);
+    const ParticleView here = particles();
+    for (int i = 0; i < here.count; ++i)
+    {
+        present[here.type[i] - 1] = 1;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, present.data(), static_cast<int>(present.size()), MPI_INT, MPI_MAX,
+        implementation_->liggghts.communicator());
+    return {present.begin(), present.end()};
 }
 
 void DemEngine::setGas(int slot, const GasState& gas, const Vector3& startImpulse)

@@ -43,6 +43,7 @@ struct ParticleView
     const double* radius = nullptr;          ///< [m], of the parcel
     const double* mass = nullptr;            ///< [kg], of the parcel
     const int* id = nullptr;                 ///< unique in the world, kept for life
+    const int* type = nullptr;               ///< of its material, from 1
 };
 
 /// The air as one particle meets it, frozen until the next setGas().
@@ -161,6 +162,10 @@ public:
     double maximumSpeed() const;     ///< [m/s], 0 without particles
     double maximumRadius() const;    ///< [m], 0 without particles
     double minimumRadius() const;    ///< [m], 0 without particles
+
+    /// For each type of material, the first being type 1, whether any particle is of it. Others may be
+    /// those of walls.
+    std::vector<bool> particleTypes() const;
 
     // The air; after couple()
 

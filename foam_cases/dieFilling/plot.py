@@ -10,33 +10,25 @@ Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii), here and in variants/
 import json
 import sys
 from pathlib import Path
-from xml.etree import ElementTree
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PatchCollection
-from matplotlib.colors import ListedColormap
-from matplotlib.patches import Circle, Rectangle
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-sys.path.insert(0, str(case/"scene"))
+sys.path[:0] = [str(case/"plotting"), str(case/"scene")]
 
-import parameters
+import section
 import uniformity
-from cavity import Cavity
+from runFolder import cells, derived, instants, parcels
 
 twin = case/"variants/noAir"
 ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
 plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
                      "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
                      "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
-
-
-def derived():
-    return parameters.read(case/"system/caseParameters", case/"system/caseDerived")
 
 
 def table(folder, name):
@@ -59,61 +51,6 @@ def moments(folder):
     rows = [line.split() for _, path in starts(folder, "fillingRatio/*/moments.dat")
             for line in path.read_text().splitlines() if not line.startswith("#")]
     return {moment: (float(time), float(value)) for time, moment, value in rows}
-
-
-def cells(path):
-    """Time, centre of each cell, and named cell data of an ASCII file of VTK's old format."""
-    words = path.read_text().split()
-    at, time, points, centres, data = 0, None, None, None, {}
-    take = lambda n, kind=float: np.array(words[at:at + n], dtype=kind)
-    while at < len(words) and words[at] != "POINT_DATA":
-        word = words[at]
-        if word == "POINTS":
-            n, at = int(words[at + 1]), at + 3
-            points, at = take(3*n).reshape(-1, 3), at + 3*n
-        elif word == "CELLS":
-            size, at = int(words[at + 2]), at + 3
-            centres, at = middles(points, take(size, int)), at + size
-        elif word == "FIELD":
-            count, at = int(words[at + 2]), at + 3
-            for _ in range(count):
-                name, width, n, at = words[at], int(words[at + 1]), int(words[at + 2]), at + 4
-                data[name], at = take(width*n).reshape(-1, width), at + width*n
-        else:
-            at += 1
-    return float(data["TimeValue"][0, 0]), centres, data
-
-
-def middles(points, lists):
-    """Of cells, each a count and as many points: those at a die's slanting walls have fewer than eight."""
-    heads, at = [], 0
-    while at < len(lists):
-        heads.append(at)
-        at += lists[at] + 1
-    heads = np.array(heads)
-    mine = np.delete(lists, heads)
-    starts = heads - np.arange(len(heads))
-    return np.add.reduceat(points[mine], starts)/lists[heads][:, None]
-
-
-def parcels(path):
-    """Positions and named data of a cloud in VTK's XML format, ASCII."""
-    data = {}
-    for array in ElementTree.parse(path).iter("DataArray"):
-        values = np.array(array.text.split(), float)
-        data[array.get("Name")] = values.reshape(-1, int(array.get("NumberOfComponents", 1)))
-    return data["Points"], data
-
-
-def instants(folder):
-    """Files of cells and parcels that foamToVTK wrote, in order of time, the start left out."""
-    found = []
-    for file in folder.glob("VTK/*_*.vtk"):
-        number = file.stem.split("_")[-1]
-        cloud = folder/f"VTK/lagrangian/powder/powder_{number}.vtp"
-        if cloud.is_file():
-            found.append((int(number), file, cloud))
-    return [files for _, *files in sorted(found)]
 
 
 def filling(d):
@@ -151,14 +88,7 @@ def stations(d):
             (when(length - rear), "rear wall has crossed")]
 
 
-def shoeAt(d, t):
-    """Travel [m]: half a cosine of ramp, then full speed."""
-    v, ramp = d["shoeSpeed"], d["rampTime"]
-    s = min(t, ramp)
-    return 0.5*v*(s - ramp/np.pi*np.sin(np.pi*s/ramp)) + v*max(0, t - ramp)
-
-
-def section(d):
+def sections(d):
     shots = instants(case)
     if not shots:
         return
@@ -177,18 +107,8 @@ def section(d):
 
 def shot(axes, d, air, powder):
     """A section along the middle: parcels by speed, air by arrows, walls as they stand."""
-    mm = 1e3
-    x, data = parcels(powder)
-    diameter = data["d"][:, 0]
-    speed = np.linalg.norm(data["U"], axis=1)
-    cut = np.abs(x[:, 1]) < 0.75*diameter.max()
-    order = np.argsort(-np.abs(x[cut, 1]))
-    patches = [Circle((mm*p[0], mm*p[2]), mm*r/2)
-               for p, r in zip(x[cut][order], diameter[cut][order])]
-    dots = PatchCollection(patches, cmap="YlOrBr", edgecolor="#5a4632", lw=0.15)
-    dots.set_array(speed[cut][order])
-    dots.set_clim(0, 0.3)
-    axes.add_collection(dots)
+    mm = section.MM
+    dots = section.parcels(axes, *parcels(powder), fastest=0.3)
 
     t, c, data = cells(air)
     axes.set_title(f"t = {1e3*t:.0f} ms", loc="left", fontsize=11, fontweight="bold")
@@ -201,27 +121,11 @@ def shot(axes, d, air, powder):
                          scale=0.2, scale_units="x", width=0.0022, angles="xy", zorder=3)
     axes.quiverkey(arrows, 0.93, 1.04, 0.25, "air 0.25 m/s", labelpos="W", color=withAir)
 
-    walls = dict(color="0.55", lw=0, zorder=2)
-    low, deep, thick = mm*d["xLow"], mm*d["dieDepth"], 0.8
-    length, right = mm*d["dieLength"], mm*d["xHigh"]
-    axes.add_patch(Rectangle((low, -deep - thick), -low, deep + thick, **walls))
-    axes.add_patch(Rectangle((length, -deep - thick), right - length, deep + thick, **walls))
-    axes.add_patch(Rectangle((0, -deep - thick), length, thick, **walls))
-    body(axes, d)
-    height, wall = mm*d["zHigh"], mm*d["shoeWallThickness"]
-    for face, side in ((d["shoeXLow"], -wall), (d["shoeXHigh"], wall)):
-        axes.add_patch(Rectangle((mm*(face + shoeAt(d, t)), 0), side, height, alpha=0.8, **walls))
-    axes.set(xlim=(low, right), ylim=(-deep - thick, height), aspect="equal")
+    section.walls(axes, d, t)
+    section.die(axes, d, uniformity.triangles(case, d))
+    axes.set(xlim=(mm*d["xLow"], mm*d["xHigh"]), aspect="equal",
+             ylim=(-mm*d["dieDepth"] - section.FLOOR, mm*d["zHigh"]))
     return dots
-
-
-def body(axes, d):
-    """What of the die's box is no cavity, in the middle of the width."""
-    cavity = Cavity.of(d, uniformity.triangles(case, d))
-    solid = ~cavity.room[:, cavity.room.shape[1]//2]
-    extent = (0, 1e3*d["dieXHigh"], 1e3*d["dieZLow"], 0)
-    axes.imshow(np.where(solid, 1, np.nan).T, extent=extent, origin="lower", zorder=2,
-                cmap=ListedColormap(["0.55"]))
 
 
 def time():
@@ -276,9 +180,9 @@ def main():
     if "--summary" in sys.argv:
         summary()
         return
-    d = derived()
+    d = derived(case)
     filling(d)
-    section(d)
+    sections(d)
     time()
 
 

@@ -5,8 +5,7 @@
 Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii) here, postProcessing/ of variants/blend, and
 dpmFoam.dat, whichever of them are there.
 """
-import math
-from pathlib import Path
+import sys
 from xml.etree import ElementTree
 
 import matplotlib
@@ -16,9 +15,11 @@ import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
-case = Path(__file__).resolve().parent
-GRAVITY = 9.81
-START = 0.5  # of the means: by then the bed bubbles [s]
+sys.dont_write_bytecode = True
+
+import bed
+
+case = bed.case
 ink = "#22303c"
 colours = {"ErgunWenYu": "#2166ac", "GidaspowHuilin": "#1a9850", "DPMFoam": "#b2182b"}
 plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
@@ -26,49 +27,17 @@ plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": 
                      "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
-def parameters(folder):
-    numbers = {}
-    for name in ("caseParameters", "caseDerived"):
-        for line in (folder/"system"/name).read_text().splitlines():
-            words = line.split("//")[0].replace(";", " ").split()
-            if len(words) == 2:
-                try:
-                    numbers[words[0]] = float(words[1])
-                except ValueError:
-                    numbers[words[0]] = words[1]
-    return numbers
-
-
-def ours(folder):
-    """Name, (time, height), (time, pressure drop without the weight of the gas)."""
-    p = parameters(folder)
-    text = (folder/"postProcessing/pressureDrop/0/volFieldValue.dat").read_text()
-    gradient = np.array([line.replace("(", " ").replace(")", " ").split()
-                         for line in text.splitlines() if line[0] != "#"], float)
-    drop = -p["gasDensity"]*(gradient[:, 3]/p["area"] + GRAVITY*p["height"])
-    return (p["dragLaw"], np.loadtxt(folder/"postProcessing/bedHeight.dat"),
-            np.column_stack((gradient[:, 0], drop)))
-
-
 def runs():
-    found = [ours(folder) for folder in (case, case/"variants/blend")
-             if (folder/"postProcessing/bedHeight.dat").is_file()]
+    """Name, (time, height), (time, pressure drop without the weight of the gas)."""
+    found = []
+    for folder in (case, case/"variants/blend"):
+        if (folder/"postProcessing/bedHeight.dat").is_file():
+            p = bed.parameters(folder)
+            found.append((p["dragLaw"], bed.heights(folder), bed.drops(folder, p)))
     if (case/"dpmFoam.dat").is_file():
         table = np.loadtxt(case/"dpmFoam.dat")
         found.append(("DPMFoam", table[:, :2], table[:, ::2]))
     return found
-
-
-def mean(table):
-    """Over time, which passes in unequal steps, from START on."""
-    t, y = table[table[:, 0] > START - 1e-9].T
-    return np.trapz(y, t)/(t[-1] - t[0]) if len(t) > 1 else math.nan
-
-
-def expectedDrop(p):
-    spheres = np.prod([round(p[a]/p["latticeSpacing"]) for a in ("depth", "width", "bedHeight")])
-    volume = spheres*math.pi/6*p["particleDiameter"]**3
-    return volume*(p["particleDensity"] - p["gasDensity"])*GRAVITY/p["area"]
 
 
 def spheres():
@@ -103,19 +72,19 @@ def snapshot(axes, p):
 
 
 def main():
-    p = parameters(case)
-    expected = expectedDrop(p)
+    p = bed.parameters(case)
+    expected, start = bed.netWeight(case, p), p["meansFrom"]
     fig = plt.figure(figsize=(10, 5.6), layout="constrained")
     grid = fig.add_gridspec(2, 2, width_ratios=(2.2, 1))
     upper = fig.add_subplot(grid[0, 0])
     lower = fig.add_subplot(grid[1, 0], sharex=upper)
-    print(f"\n  Means from {START} s on {'height [mm]':>20}{'pressure drop [Pa]':>21}   (expected "
+    print(f"\n  Means from {start:g} s on {'height [mm]':>20}{'pressure drop [Pa]':>21}   (expected "
           f"{expected:.0f})")
     for name, height, drop in runs():
         upper.plot(height[:, 0], 1e3*height[:, 1], color=colours[name], lw=1.4, label=name)
         lower.plot(drop[:, 0], drop[:, 1], color=colours[name], lw=0.6, alpha=0.8)
-        print(f"  {name:<18}{1e3*mean(height):19.2f}{mean(drop):21.1f}"
-              f"{100*(mean(drop)/expected - 1):9.2f} %")
+        print(f"  {name:<18}{1e3*bed.mean(height, start):19.2f}{bed.mean(drop, start):21.1f}"
+              f"{100*(bed.mean(drop, start)/expected - 1):9.2f} %")
     lower.axhline(expected, color="0.45", lw=1)
     lower.annotate("net weight over area", (0, expected), xytext=(2, 3), color="0.45",
                    textcoords="offset points", fontsize=8)

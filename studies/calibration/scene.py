@@ -25,8 +25,8 @@ def parameters(case):
 
 def common(p):
     """What both scripts want besides the parameters: one material, one grain a parcel."""
-    return {"coarseGraining": 1, "boundaryY": "p", "shoeYoungsModulus": p["youngsModulus"],
-            "shoeRestitution": p["restitution"],
+    return {"coarseGraining": 1, "boundaryY": "p", "wallYoungsModulus": p["youngsModulus"],
+            "wallRestitution": p["restitution"],
             "halfSlice": 0.5*whole(p, "sliceDiameters")*p["particleDiameter"]}
 
 

@@ -32,12 +32,13 @@ def draw(choices, measure, orders, folder):
 
 
 class Axis:
-    """How a difference of a measure is written and scaled."""
+    """How a measure, and a difference of it, is written and scaled."""
 
     def __init__(self, choices, measure):
         about = choices.table.about.get(measure, {})
         self.scale, unit = shownAs.scale(about), shownAs.unit(about)
-        self.unit = "percentage points" if unit == "%" else superscripts(unit)
+        self.valueUnit = superscripts(unit)
+        self.unit = "percentage points" if unit == "%" else self.valueUnit
         symbol = mathematics(about.get("symbol", ""))
         self.symbol = symbol or readable(measure)
         self.words = about.get("text") or readable(measure)
@@ -48,7 +49,7 @@ class Axis:
 
 def changes(choices, measure, found):
     """A panel a knob: change against the reference over time; grey is what scatter makes, dashed
-    where the law tends to."""
+    where the law tends to, green the exact answer."""
     axis = Axis(choices, measure)
     count = len(choices.knobs)
     across = min(count, ACROSS)
@@ -85,6 +86,9 @@ def onePanel(panel, choices, measure, axis, key, fit):
         colour = BLUE if change.resolved else GREY
         panel.errorbar(time, axis.scale*change.value, axis.scale*(change.error or 0), color=colour,
                        marker="o", ms=4.5, mec="white", mew=0.4, capsize=2.5, elinewidth=0.9, zorder=3)
+    if measure in choices.exact:
+        off = choices.exact[measure] - choices.reference.values[measure]
+        panel.axhline(axis.scale*off, color=GREEN, lw=1, zorder=2)
     if fit and fit.holds:
         tendsTo(panel, axis, errorOfReference(choices, fit, key))
     marks = [(1, 0, 0, valueText(choices, key, choices.reference.parameters[key]))]
@@ -134,7 +138,7 @@ def overlap(one, other):
 
 
 def pareto(choices, measure, found):
-    """Distance from the best known value over time. What is below the scatter counts as the scatter:
+    """Distance from the exact or the best known value over time. What is below the scatter counts as the scatter:
     the front ends at the fastest choice that cannot be told from the truth."""
     axis = Axis(choices, measure)
     all_ = front(choices, measure, found)
@@ -156,8 +160,9 @@ def pareto(choices, measure, found):
         axes.plot([], [], ls="", label=fill(f"{letter}  {named(choices, choice.variant)}", 28))
     timeAxis(axes, [choice.time for choice in all_])
     axes.set_ylim(bottom=0)
+    truth = "exact answer" if measure in choices.exact else "best known value"
     axes.set(xlabel="time, over the reference's",
-             ylabel=fill(axis.label(f"distance of {axis.symbol} from the best known value"), 36))
+             ylabel=fill(axis.label(f"distance of {axis.symbol} from the {truth}"), 36))
     axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     fig.draw_without_rendering()
     label(axes, [(c.time, axis.scale*abs(c.distance),

@@ -46,6 +46,14 @@ def difference(choices, variant, measure):
                                         choices.error(choices.reference, measure)))
 
 
+def offExact(choices, variant, measure):
+    """From the exact answer, which must be known."""
+    value = variant.values[measure]
+    if value is None:
+        return Number(None)
+    return Number(value - choices.exact[measure], choices.error(variant, measure))
+
+
 def fits(choices, measure, orders):
     """Knob -> what the measure tends to, of knobs whose order is known and that have enough values."""
     found = {}
@@ -68,7 +76,10 @@ def errorOfReference(choices, fit, key):
 
 
 def truth(choices, measure, found):
-    """The best known value: the reference, less those of its errors that are resolved."""
+    """The exact answer; or else the best known value: the reference, less those of its errors that
+    are resolved."""
+    if measure in choices.exact:
+        return Number(choices.exact[measure], 0.0)
     errors = [error for error in (errorOfReference(choices, fit, key) for key, fit in found.items()
                                   if fit.holds) if error.resolved]
     value = choices.reference.values[measure] - math.fsum(error.value for error in errors)
@@ -118,7 +129,7 @@ class Step:
     value: object
     minutes: float  # it takes more
     gain: Number  # by which the error shrinks
-    how: str  # "order p", or "finest value"
+    how: str  # "order p", "finest value", or "exact answer"
 
     @property
     def perMinute(self):
@@ -140,9 +151,13 @@ def nextMinute(choices, measure, found):
 
 
 def step(choices, measure, key, variant, slower, fit):
-    """By the law if it is known and holds; else the slowest value is taken for the truth, and the
-    error that is removed is all that separates it from the reference."""
+    """By the exact answer; or by the law if it is known and holds; else the slowest value is taken for
+    the truth, and the error that is removed is all that separates it from the reference."""
     minutes = (variant.seconds - choices.reference.seconds)/60
+    if measure in choices.exact:
+        own, new = (offExact(choices, one, measure).value for one in (choices.reference, variant))
+        return Step(key, variant.parameters[key], minutes,
+                    Number(abs(own) - abs(new), difference(choices, variant, measure).error), "exact answer")
     if fit and fit.holds:
         own, new = choices.reference.parameters[key], variant.parameters[key]
         return Step(key, new, minutes, Number(*fit.between(own, new)), f"order {fit.order:g}")

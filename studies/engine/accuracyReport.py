@@ -2,15 +2,19 @@
 """accuracy.csv and accuracy.md: what each value of a knob changes and takes."""
 import shownAs
 from accuracyFit import LEAST
-from accuracyJudge import difference, errorOfReference, fits, front, nextMinute
+from accuracyJudge import difference, errorOfReference, fits, front, nextMinute, offExact
 from badInput import BadInput
 from shownAs import text
 from tables import sheet
 
 
 def write(choices, orders, folder):
+    return save({"accuracy.csv": sheet(rows(choices)), "accuracy.md": markdown(choices, orders)}, folder)
+
+
+def save(content, folder):
+    """Files of a report, name -> words; their paths."""
     paths = []
-    content = {"accuracy.csv": sheet(rows(choices)), "accuracy.md": markdown(choices, orders)}
     for name, words in content.items():
         path = folder/name
         try:
@@ -35,6 +39,8 @@ def rows(choices):
                 row[f"{measure}.difference"] = change.value
                 row[f"{measure}.error"] = change.error
                 row[f"{measure}.verdict"] = change.verdict
+                if measure in choices.exact:
+                    row[f"{measure}.offExact"] = offExact(choices, variant, measure).value
             found.append(row)
     return found
 
@@ -98,6 +104,10 @@ def ownValue(choices, measure):
     if measure in choices.pooled:
         words += (f" Scatter of one packing: {shown.scale*choices.pooled[measure]:.2g}"
                   f"{shown.differenceUnit}.")
+    if measure in choices.exact:
+        off = offExact(choices, choices.reference, measure)
+        words += (f" The exact answer is {shown.value(choices.exact[measure], None)}: it is "
+                  f"{shown.difference(off.value, off.error)} off, {off.verdict}.")
     return words
 
 
@@ -106,16 +116,19 @@ def table(head, lines):
 
 
 def changes(choices, measure):
-    shown, lines = Shown(choices, measure), []
+    shown, lines, exact = Shown(choices, measure), [], measure in choices.exact
     for key, variants in choices.knobs.items():
         for variant in variants:
             change, time = difference(choices, variant, measure), choices.timeRatio(variant)
             words = "" if change.value is None else shown.pair(change.value, change.error, "+")
             lines.append([key, text(variant.changes[key]), "" if time is None else f"{time:.3g}",
                           f"**{words}**" if change.resolved else words, change.verdict])
+            if exact:
+                off = offExact(choices, variant, measure)
+                lines[-1].append("" if off.value is None else shown.pair(off.value, off.error, "+"))
     unit = shown.differenceUnit.strip()
     return table(["knob", "value", "time over the reference's", "difference" + (f" [{unit}]" if unit
-                 else ""), "verdict"], lines)
+                 else ""), "verdict"] + ["off the exact answer"]*exact, lines)
 
 
 def limits(choices, measure, found):

@@ -2,13 +2,14 @@
 """Reads a study's table as choices of the numerics: what each is worth, and what it takes.
 
 A *knob* is a parameter that some variants change alone against the reference. Standard errors of
-few packings are hardly known themselves, so that all rows' scatter is taken together.
+few packings are hardly known themselves, so that all rows' scatter is taken together. Of some
+measures the *exact* answer is known: the case says so, or the user.
 """
 import math
 from dataclasses import dataclass, field
 
 from badInput import BadInput, nearest
-from shownAs import text
+from shownAs import isNumber, text
 from tableFile import number
 
 ENOUGH = 10  # packings from which on a row's own error is trusted
@@ -28,13 +29,15 @@ class Variant:
 class Choices:
     """The variants of a table, the reference among them, and the knobs."""
 
-    def __init__(self, table, reference=(), measures=None, knobs=None, trustErrors=False):
+    def __init__(self, table, reference=(), measures=None, knobs=None, trustErrors=False,
+                 exact=None):
         self.table = table
         for column in ("variant", "status", "seconds"):
             if column not in table.columns:
                 raise BadInput(f"{table.name} has no column '{column}': take the table.csv of a "
                                "study, as studies/study writes it.")
         self.measures = self.chosenMeasures(measures)
+        self.exact = self.exactAnswers(exact or {})
         keys = table.columns[table.columns.index("variant") + 1:table.columns.index("status")]
         self.variants = [self.variant(row, keys) for row in table.rows]
         self.reference = self.chosenReference(reference)
@@ -59,6 +62,15 @@ class Choices:
             raise BadInput(f"{self.table.name} has no measures (columns NAME and NAME.error): take "
                            "the table.csv of a study, as studies/study writes it.")
         return list(wanted or there)
+
+    def exactAnswers(self, given):
+        """Measure -> what it would be without errors."""
+        for name in given:
+            if name not in self.measures:
+                raise BadInput(f"--exact: there is no measure '{name}' among those of {self.table.name}; "
+                               + nearest(name, self.measures))
+        told = {name: self.table.about.get(name, {}).get("exact") for name in self.measures}
+        return {**{name: value for name, value in told.items() if isNumber(value)}, **given}
 
     def variant(self, row, keys):
         parameters = {key: number(row[key]) for key in keys}

@@ -8,7 +8,7 @@ import re
 import shownAs
 from badInput import BadInput, nearest
 from groups import GROUPS
-from shownAs import labelled, text
+from shownAs import isNumber, labelled, text
 
 
 class Table:
@@ -55,12 +55,18 @@ class Table:
         """Of a line: v = 0.1 m/s"""
         if key in GROUPS and key not in self.columns:
             return f"{GROUPS[key][0]} = {value:.4g}"
+        symbol = mathematics(self.about.get(key, {}).get("symbol", ""))
+        return f"{symbol or readable(key)} = {self.written(key, value, superscripts)}"
+
+    def written(self, key, value, unitAs=str):
+        """0.1 m/s"""
         about = self.about.get(key, {})
-        head, _, tail = labelled(about, key, value).partition("=")
+        tail = labelled(about, key, value).partition("=")[2]
+        if isNumber(value) and abs(value) >= 1e6:
+            tail = f"{value:.6g}"
         unit = about.get("unit", "")
-        tail += f" {superscripts(unit)}" if unit not in ("", "1", "-", "m") else ""
-        tail = re.sub(r"(\d)([mun]?m)$", r"\1 \2", tail).replace(" um", " µm")
-        return f"{mathematics(about.get('symbol', '')) or readable(head)} = {tail}"
+        tail += f" {unitAs(unit)}" if unit not in ("", "1", "-", "m") else ""
+        return re.sub(r"(\d)([mun]?m)$", r"\1 \2", tail).replace(" um", " µm")
 
     def chosen(self, conditions):
         """Rows that meet all `key=value`."""

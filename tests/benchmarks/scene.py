@@ -71,7 +71,7 @@ class Scene:
             importlib.util.spec_from_loader("prepare", loader))
         loader.exec_module(self.case)
         self.parameters = self.case.parameters()
-        derived, self.given = self.case.derived(self.parameters)
+        derived, self.given = self.case.derived(self.parameters, None)
         self.number = {**self.parameters, **derived}
 
     def mesh(self, cut=(1, 1, 1)):

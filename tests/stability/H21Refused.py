@@ -24,6 +24,12 @@ def truncatedRecord(run, name):
     return "A run goes on from a checkpoint that is whole", "ends too early"
 
 
+def earlierVersion(run, name):
+    record = run.powder(name)/"checkpoint"
+    record.write_text(re.sub(r"\nlag [^\n]*", "", record.read_text()))
+    return "A run goes on from a checkpoint that this version wrote", "no entry lag"
+
+
 def noPowder(run, name):
     for file in run.powder(name).iterdir():
         file.unlink()

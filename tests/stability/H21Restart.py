@@ -10,6 +10,9 @@ On several ranks forces are summed in another order, and a difference in the las
 collision. How far that takes two runs apart is measured: the twin, not stopped, on another number of
 ranks. A run that was stopped at an output may be ten times as far away as that one is at the end.
 
+Powder that is light for its fluid is seen by it late, by a time that a run carries on: here grains of
+2500 kg/m3 in water. With another time in the checkpoint the path is another one.
+
 A checkpoint lists neighbours anew. After a signal that is at a time when the other run did not, and a
 parcel that touches two triangles of a wall may find the other one first, with its own history of sliding:
 a thousandth of a parcel's radius is allowed.
@@ -25,6 +28,8 @@ OUTPUTS = 6
 SERIAL = 1e-12  # [m]
 RADIUS = 0.4e-3  # of a parcel [m]
 SIGNALLED = 1e-3*RADIUS
+LIGHT = ("particleDensity=2500", "airDensity=1000", "airViscosity=1e-3")
+LIGHT_INTERVAL = 2e-4  # [s]
 
 
 def judgeEnd(bench, run, twin, bound, outputs):
@@ -80,6 +85,22 @@ def onOtherRanks(bench, twin, times, growth, other):
     judgeEnd(bench, run, twin, growth, times[2:])
 
 
+def lightPowder(bench):
+    base = Filling.poured(bench.work/"light", bench.solver, *LIGHT).decompose(bench.ranks)
+    twin = base.until(4*LIGHT_INTERVAL, LIGHT_INTERVAL).copy("light powder").run()
+    bench.equal(twin, "lines that tell of light powder", 1, twin.log.count(" is light: "), 0)
+    times = twin.whole()[-4:]
+    run = twin.copy("light powder, stopped").forget(times[1]).run()
+    bench.equal(run, "lines that tell of light powder", 1, run.log.count(" is light: "), 0)
+    bench.atMost(run, "apart at the end [m]", SERIAL, run.apart(twin, times[-1]))
+
+    late = twin.copy("light powder, seen later").forget(times[1])
+    late.scale(times[1], "lag", 1.4)
+    late.run()
+    bench.atLeast(late, "must be another path: apart at the end [m]", 10*SERIAL,
+                  late.apart(twin, times[-1]))
+
+
 def verify(bench):
     start = Filling.poured(bench.work, bench.solver).until(BEFORE, BEFORE).run()
     base = start.copy("base").decompose(bench.ranks)
@@ -101,6 +122,7 @@ def verify(bench):
     byKill(bench, base, twin, times, bound)
     torn(bench, twin, times, bound)
     onOtherRanks(bench, twin, times, growth, other)
+    lightPowder(bench)
 
 
 if __name__ == "__main__":

@@ -27,8 +27,8 @@ class Filling:
         self.case, self.seconds = self, 0.0
 
     @classmethod
-    def poured(cls, work, solver):
-        """A new one, with its bed."""
+    def poured(cls, work, solver, *changes):
+        """A new one, with its bed; `changes` of the parameters beside those of COARSE."""
         shutil.rmtree(work, ignore_errors=True)
         base = work/"tree/foam_cases/dieFilling"
         shutil.copytree(ROOT/"foam_cases/dieFilling", base, ignore=shutil.ignore_patterns(
@@ -36,7 +36,7 @@ class Filling:
             "polyMesh", "triSurface", "0.*"))
         for shared in ("liggghts_scripts", "cmake"):
             (work/"tree"/shared).symlink_to(ROOT/shared)
-        execute(base, [str(base/"variant"), "coarse", *COARSE], "log.variant")
+        execute(base, [str(base/"variant"), "coarse", *COARSE, *changes], "log.variant")
         made = cls(base/"variants/coarse", solver)
         execute(made.folder, ["./prepare"], "log.prepare")
         execute(made.folder, ["blockMesh"], "log.blockMesh")
@@ -136,6 +136,14 @@ class Filling:
 
     def powder(self, name):
         return self.parts()[0]/name/"uniform/powder"
+
+    def scale(self, name, key, factor):
+        """A number in the record of a checkpoint."""
+        record = self.powder(name)/"checkpoint"
+        text, count = re.subn(rf"(?m)^({key}\s+)([^;]+);",
+                              lambda m: f"{m[1]}{factor*float(m[2]):.17g};", record.read_text())
+        assert count == 1, f"{count} entries {key} in {record}"
+        record.write_text(text)
 
     def forget(self, after):
         """The times later than this one."""

@@ -245,6 +245,62 @@ class NextMinute(Tables):
         self.assertAlmostEqual(two.perMinute.error, 0.01*math.sqrt(2)/2, 12)
 
 
+class ExactAnswers(Tables):
+    """0.5, and the reference 0.62 +- 0.01 in 10 minutes."""
+    ROWS = [row(0.62, 0.01), row(0.56, 0.01, 1200.0, cellSize=3e-4), row(0.45, 0.01, 1200.0, couplingNumber=0.1),
+            row(0.47, 0.01, 900.0, couplingNumber=0.15)]
+
+    def testAreTheTruth(self):
+        """And not 0.38, where cellSize tends to: 0.5 + 0.06 is farther off than 0.5 - 0.05 in the same time,
+        and 0.5 - 0.03 beats both in less."""
+        rows = self.ROWS + [row(0.38 + 600*h/1.5, 0.01, 1300.0, cellSize=h) for h in (1.5e-4, 4.5e-4)]
+        choices = self.choices(rows, exact={"filling": 0.5})
+        found = accuracyJudge.fits(choices, "filling", {"cellSize": 1})
+        best = accuracyJudge.truth(choices, "filling", found)
+        self.assertEqual((best.value, best.error), (0.5, 0.0))
+        all_ = accuracyJudge.front(choices, "filling", found)
+        for choice, distance in zip(all_, (0.12, 0.06, -0.05, -0.03)):
+            self.assertAlmostEqual(choice.distance, distance, 12)
+        self.assertEqual([choice.name for choice in all_ if choice.best],
+                         ["reference", "couplingNumber=0.15"])
+
+    def testTellWhatAMinuteGains(self):
+        """cellSize: 0.12 to 0.06 off in 10 minutes. couplingNumber: to 0.05 in 10, or to 0.03 in 5. The
+        error of a gain is that of a difference, sqrt(2)/100."""
+        choices = self.choices(self.ROWS, exact={"filling": 0.5})
+        one, two = accuracyJudge.nextMinute(choices, "filling", {})
+        self.assertEqual([(step.knob, step.value, step.how) for step in (one, two)],
+                         [("couplingNumber", 0.15, "exact answer"), ("cellSize", 3e-4, "exact answer")])
+        self.assertAlmostEqual(one.perMinute.value, 0.09/5, 12)
+        self.assertAlmostEqual(one.perMinute.error, 0.01*math.sqrt(2)/5, 12)
+        self.assertAlmostEqual(two.perMinute.value, 0.06/10, 12)
+
+    def testTellWhenAFinerValueIsWorse(self):
+        choices = self.choices([row(0.51, 0.001), row(0.55, 0.001, 1200.0, cellSize=3e-4)], exact={"filling": 0.5})
+        step, = accuracyJudge.nextMinute(choices, "filling", {})
+        self.assertAlmostEqual(step.gain.value, -0.04, 12)
+
+    def testAreThoseOfTheCaseUnlessNamed(self):
+        table = self.write(self.ROWS)
+        (self.work/"columns.json").write_text('{"filling": {"unit": "1", "exact": 0.4}}')
+        self.assertEqual(Choices(tableFile.Table(table)).exact, {"filling": 0.4})
+        self.assertEqual(Choices(tableFile.Table(table), exact={"filling": 0.5}).exact, {"filling": 0.5})
+
+    def testStandInTheReport(self):
+        choices = self.choices(self.ROWS, exact={"filling": 0.5})
+        rows = accuracyReport.rows(choices)
+        self.assertAlmostEqual(rows[0]["filling.offExact"], 0.06, 12)
+        words = accuracyReport.markdown(choices, {})
+        self.assertIn("The exact answer is 0.5: it is +0.12 ± 0.01 off, resolved.", words)
+        self.assertIn("| cellSize | 0.0003 | 2 | **-0.06 ± 0.014** | resolved | +0.06 ± 0.01 |", words)
+
+    def testAreNamedInTheFigure(self):
+        import accuracyFigures
+        for exact, words in (({}, "best known value"), ({"filling": 0.5}, "exact answer")):
+            axes, = accuracyFigures.pareto(self.choices(self.ROWS, exact=exact), "filling", {}).axes
+            self.assertIn(words, " ".join(axes.get_ylabel().split()))
+
+
 class Command(Tables):
     ROWS = [row(0.62, 0.002)] + [row(0.5 + 200*h, 0.002, 360/h*1e-3, cellSize=h)
                                  for h in (3e-4, 4e-4, 8e-4)] + [
@@ -297,6 +353,11 @@ class Command(Tables):
         self.refused("'cellsize' is not varied alone in table.csv; did you mean 'cellSize'?", self.ROWS,
                      "--knobs", "cellsize")
         self.refused("--order wants KEY=P", self.ROWS, "--order", "cellSize=two")
+        self.refused("there is no measure 'filing' among those of table.csv; did you mean 'filling'?",
+                     self.ROWS, "--exact", "filing=0")
+        for wrong in ("filling", "filling=full", "filling=inf"):
+            self.refused(f"--exact wants MEASURE=VALUE with a number in the measure's own unit, as "
+                         f"ergunError=0, and has '{wrong}'", self.ROWS, "--exact", wrong)
         self.refused("no column or group 'cellsize'", self.ROWS, "--order", "cellsize=2")
         self.refused("rows of table.csv have dragLaw=Huilin: the reference must be one", self.ROWS,
                      "--reference", "dragLaw=Huilin")

@@ -38,6 +38,7 @@ class DieFilling(unittest.TestCase):
         self.work = Path(folder.name)
         self.case = self.work/"foam_cases/dieFilling"
         (self.work/"liggghts_scripts").mkdir()
+        (self.work/"studies").symlink_to(ROOT/"studies")
         self.case.mkdir(parents=True)
         source = ROOT/"foam_cases/dieFilling"
         for name in ("0", "system", "scene", "constant"):
@@ -102,7 +103,8 @@ class TheBedStore(DieFilling):
         self.prepared(folder)
         self.assertEqual(self.pouredBeds(), 2)
         self.assertEqual((folder/"preparation/bed.restart").read_text(), "bed 49979687\n")
-        self.assertEqual(len(self.beds()), 2)
+        self.prepared(self.variant("walls", "wallFriction=0.3"))
+        self.assertEqual((self.pouredBeds(), len(self.beds())), (3, 3))
 
     def testHoldsNothingOfAPourThatWasKilled(self):
         self.pours(30)
@@ -115,6 +117,13 @@ class TheBedStore(DieFilling):
         self.pours(0)
         self.prepared(self.variant("v2"))
         self.assertEqual((self.pouredBeds(), len(self.beds())), (2, 1))
+
+    def testPoursNoPowderOverTheShoe(self):
+        process = self.prepare(self.variant("high", "powderHeight=30e-3"))
+        told = process.communicate()[0]
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(told, r"must not be higher than the shoe[\s\S]*powderHeight 0.03 m[\s\S]*0.03 m")
+        self.assertEqual(self.pouredBeds(), 0)
 
     def testIsNotThereUnlessWanted(self):
         self.pours(0)

@@ -60,7 +60,8 @@ class PackedBed:
         tree = bench.work/name
         self.folder = tree/"foam_cases/packedBed"
         shutil.copytree(ROOT/"foam_cases/packedBed", self.folder, ignore=shutil.ignore_patterns(
-            "processor*", "postProcessing", "preparation", "log.*", "pictures", "polyMesh", "0.*"))
+            "processor*", "postProcessing", "preparation", "log.*", "pictures", "polyMesh", "0.*",
+            "variants", "results"))
         for shared in ("liggghts_scripts", "cmake"):
             (tree/shared).symlink_to(ROOT/shared)
         self.change(firstSpeed=speeds[0], lastSpeed=speeds[-1], speeds=len(speeds), holdTime=HOLD,

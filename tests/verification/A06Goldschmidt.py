@@ -64,7 +64,7 @@ class Bed:
         base = bench.work/"tree/foam_cases/fluidisedBed"
         if not base.is_dir():
             shutil.copytree(CASE, base, ignore=shutil.ignore_patterns(
-                "variants", "processor*", "postProcessing", "VTK", "log.*", "pictures", "polyMesh",
+                "variants", "results", "processor*", "postProcessing", "VTK", "log.*", "pictures", "polyMesh",
                 "0.*"))
             for shared in ("liggghts_scripts", "cmake"):
                 (bench.work/"tree"/shared).symlink_to(ROOT/shared)

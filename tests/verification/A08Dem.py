@@ -220,11 +220,11 @@ def rolling(bench):
 
 
 def study(**values):
-    """Settings of contacts.in for smooth powder with shoe."""
-    settings = dict(contacts=CONTACTS, youngsModulus=YOUNG, shoeYoungsModulus=YOUNG,
+    """Settings of contacts.in for smooth powder with walls."""
+    settings = dict(contacts=CONTACTS, youngsModulus=YOUNG, wallYoungsModulus=YOUNG,
                     poissonsRatio=POISSON, friction=0, rollingFriction=0, rollingModel="off")
     settings.update(values)
-    return dict(settings, shoeRestitution=settings["restitution"], particleDensity=GRAIN_DENSITY)
+    return dict(settings, wallRestitution=settings["restitution"], particleDensity=GRAIN_DENSITY)
 
 
 def hertzPath(diameter, e):

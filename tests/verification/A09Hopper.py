@@ -193,8 +193,8 @@ class Heap:
             contacts=ROOT/"liggghts_scripts/contacts.in", tube="tube.stl", particleDensity=2500,
             parcelRadius=SPHERE/2, spheres=SPHERES, tubeRadius=TUBE, tubeHeight=TUBE_HEIGHT,
             half=120e-3, settleTime=0.3, liftTime=4.0, restTime=0.3, liftSpeed=0.01,
-            youngsModulus=5e6, shoeYoungsModulus=5e6, poissonsRatio=0.3, restitution=0.5,
-            shoeRestitution=0.5, friction=0.67, rollingFriction=0.218, rollingModel="epsd2")
+            youngsModulus=5e6, wallYoungsModulus=5e6, poissonsRatio=0.3, restitution=0.5,
+            wallRestitution=0.5, friction=0.67, rollingFriction=0.218, rollingModel="epsd2")
         command = ["liggghts", "-in", str(ROOT/"tests/verification/dem/repose.in"), "-log", "none"]
         for key, value in values.items():
             command += ["-var", key, str(value)]

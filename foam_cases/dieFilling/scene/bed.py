@@ -18,18 +18,21 @@ import numpy as np
 
 # The bed depends on these, and on the walls; not on the air or the shoe's speed.
 POURING = """particleDiameter particleDensity coarseGraining powderHeight bed seed youngsModulus
-    poissonsRatio restitution friction rollingFriction rollingModel shoeYoungsModulus
-    shoeRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh
-    shoeXLow shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
+    poissonsRatio restitution friction wallFriction rollingFriction rollingModel wallYoungsModulus
+    wallRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh shoeXLow
+    shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
 
 
 class Bed:
-    def __init__(self, case, scripts, values):
-        """values: parameters and what is derived from them; the walls are written already."""
+    def __init__(self, case, scripts, values, pours):
+        """values: parameters and what is derived from them; the walls are written already. pours: LIGGGHTS' lines that
+        define the distribution `mix` of what is poured."""
         self.case, self.scripts, self.values = case, scripts, values
-        self.folder = case/"preparation"
+        self.folder, self.pours = case/"preparation", pours
         number = lambda v: f"{v:.9g}" if isinstance(v, (int, float)) else v
         self.key = "".join(f"{k} {number(values[k])}\n" for k in POURING)
+        if values["sizeDistribution"] != "mono":
+            self.key += pours
         for name in ("die", "shoe"):
             self.key += (case/f"constant/triSurface/{name}.stl").read_text()
 
@@ -67,6 +70,7 @@ class Bed:
 
     def pourAll(self):
         values = self.values
+        (self.folder/"sizes.in").write_text(self.pours)
         running = [self.pour("bed", values["bedParcels"], 0, values["bed"]),
                    self.pour("full", values["referenceParcels"], values["overDie"], "poured")]
         for process, result in running:
@@ -85,7 +89,7 @@ class Bed:
         variables = dict(self.values, case=self.case, scripts=self.scripts, result=result,
                          parcels=parcels, place=place)
         if bed == "tapped":
-            variables.update(contactFriction=0, contactRolling=0)
+            variables.update(contactFriction=0, wallFriction=0, contactRolling=0)
         # Line by line: what LIGGGHTS says of an error would be lost in a buffer when it aborts.
         command = ["stdbuf", "-oL", "liggghts", "-in", str(self.scripts/"dieFillingPour.in"),
                    "-log", str(log)]

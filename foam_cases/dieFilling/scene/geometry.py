@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 import stl
+from wrong import refuse
 
 
 def rig(p):
@@ -17,19 +18,25 @@ def rig(p):
     shoe(p, d)
     mesh(p, d)
     measured(p, d)
+    d["hertzFraction"] = 0.75*p["rayleighFraction"]
     d["kinematicViscosity"] = p["airViscosity"]/p["airDensity"]
     return d
 
 
-def powder(p, d, given):
-    """The same of the powder. given: triangles of surfaces that are not made as usual."""
+def powder(p, d, given, sizes):
+    """The same of the powder. given: triangles of surfaces that are not made as usual; sizes: None if all particles
+    have the same."""
     particlesBox(p, d, given)
-    parcels(p, d, given["die"])
+    parcels(p, d, given["die"], sizes)
 
 
 def shoe(p, d):
     """The shoe starts short of the die and stops beyond it, clear by a few parcels."""
     clear, wall = 1e-3, p["shoeWallThickness"]
+    if p["powderHeight"] >= p["shoeHeight"]:
+        refuse("The powder must not be higher than the shoe, or it would run over its walls.",
+               f"powderHeight {p['powderHeight']:g} m   system/caseParameters",
+               f"less than shoeHeight, {p['shoeHeight']:g} m", "Pour less powder, or make the shoe higher.")
     d["shoeXHigh"] = -(wall + clear)
     d["shoeXLow"] = d["shoeXHigh"] - p["shoeLength"]
     d["shoeYHigh"] = 0.5*(p["shoeWidth"] if d["rig"] == "full" else p["sliceWidth"])
@@ -74,7 +81,9 @@ def particlesBox(p, d, given):
     d["demXLow"], d["demXHigh"] = d["shoeXLow"] - around, d["shoeXHigh"] + d["travel"] + around
     d["demYHigh"] = d["shoeYHigh"] + (around if full else 0)
     d["demYLow"] = -d["demYHigh"]
-    d["demZLow"], d["demZHigh"] = -1.2*p["dieDepth"], p["shoeHeight"] + around
+    # The column from which dieFillingPour.in pours may be higher than the shoe.
+    column = 0.58/0.25*p["powderHeight"] + 4*p["coarseGraining"]*p["particleDiameter"]
+    d["demZLow"], d["demZHigh"] = -1.2*p["dieDepth"], max(p["shoeHeight"], 1.1*column) + around
     for corner in np.concatenate(list(given.values())).reshape(-1, 3):
         d["demXLow"], d["demXHigh"] = reach(d["demXLow"], d["demXHigh"], corner[0])
         d["demZLow"], d["demZHigh"] = reach(d["demZLow"], d["demZHigh"], corner[2])
@@ -82,10 +91,12 @@ def particlesBox(p, d, given):
             d["demYLow"], d["demYHigh"] = reach(d["demYLow"], d["demYHigh"], corner[1])
 
 
-def parcels(p, d, die):
-    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above."""
-    d["parcelDiameter"] = p["coarseGraining"]*p["particleDiameter"]
-    parcel = math.pi/6*d["parcelDiameter"]**3
+def parcels(p, d, die, sizes):
+    """How many in the shoe; and, for the die that is completely filled, in the die and 2 mm above. Of
+    several sizes, the parcel's diameter is the Sauter mean."""
+    k = p["coarseGraining"]
+    d["parcelDiameter"] = k*(sizes.sauter() if sizes else p["particleDiameter"])
+    parcel = math.pi/6*(k*sizes.meanVolume() if sizes else d["parcelDiameter"])**3
     base = p["shoeLength"]*2*d["shoeYHigh"]
     d["bedParcels"] = round(0.58*p["powderHeight"]*base/parcel)
     cavity = stl.cavity(die, d)[0] if len(die) else p["dieLength"]*2*d["dieYHigh"]*p["dieDepth"]
@@ -93,6 +104,11 @@ def parcels(p, d, die):
     d["airVolume"] = (d["xHigh"] - d["xLow"])*(d["yHigh"] - d["yLow"])*d["zHigh"] + cavity
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
+    if sizes:
+        d["sauterDiameter"] = sizes.sauter()
+        d["meanVolumeDiameter"] = sizes.meanVolume()
+        d["meanVolumeRadius"] = 0.5*k*sizes.meanVolume()
+        d["smallestRadius"], d["largestRadius"] = 0.5*k*sizes.diameters[[0, -1]]
 
 
 def point(*x):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Walls as the powder meets them (sheets) and as the air does (closed bodies), or the user's own."""
 import math
-import sys
 
 import numpy as np
 
 import stl
+from wrong import refuse
 
 ON_TABLE = 1e-6     # how far a surface may be from where it should be: a twentieth of the shoe's gap [m]
 
@@ -105,13 +105,13 @@ def given(case, p, name):
     if surface == "none":
         return np.empty((0, 3, 3))
     if not (case/surface).is_file():
-        refuse(f"{name}Surface in system/caseParameters must be an STL file in {case}",
+        refuse(f"{name}Surface in system/caseParameters must be an STL file in {case}.",
                f"{surface}, which is no file there", "an STL file",
-               "Correct the path, or write none to have the surface made")
+               "Correct the path, or write none to have the surface made.")
     triangles = stl.read(case/surface)
     if not len(triangles):
-        refuse(f"{name}Surface must be an STL file", f"no whole triangles in {surface}",
-               "STL, as text or binary", "Write the file again")
+        refuse(f"{name}Surface must be an STL file.", f"no whole triangles in {surface}",
+               "STL, as text or binary", "Write the file again.")
     closed(name, surface, triangles)
     return triangles
 
@@ -120,38 +120,34 @@ def closed(name, surface, triangles):
     edges = stl.openEdges(triangles)
     if len(edges):
         place = "({:.4g} {:.4g} {:.4g})".format(*edges[0].mean(axis=0))
-        refuse(f"{name}Surface must be closed: each edge shared by two triangles that agree on where outside is",
+        refuse(f"{name}Surface must be closed: each edge shared by two triangles that agree on where outside is.",
                f"{len(edges)} others in {surface}, one at {place} m", "none",
-               "Close the surface (surfaceCheck shows where it is open)")
+               "Close the surface (surfaceCheck shows where it is open).")
     if stl.volume(triangles) <= 0:
-        refuse(f"{name}Surface must have its normals outwards", f"normals inwards in {surface}",
-               "normals outwards", "Turn them (surfaceOrient)")
+        refuse(f"{name}Surface must have its normals outwards.", f"normals inwards in {surface}",
+               "normals outwards", "Turn them (surfaceOrient).")
 
 
 def meetsTable(p, d, die):
     """The user's die must have its rim on the table, and its cavity in the box that says how large it is."""
     top = die[:, :, 2].max()
     if abs(top) > ON_TABLE:
-        refuse("dieSurface does not meet the table: its rim, the highest point, must be at z = 0",
+        refuse("dieSurface does not meet the table: its rim, the highest point, must be at z = 0.",
                f"{top:.6g} m in {p['dieSurface']}", f"0, to {ON_TABLE:g} m",
-               "Move the surface; lengths are in metres")
+               "Move the surface; lengths are in metres.")
     ground = die[(stl.plan(die) > 0) & (die[:, :, 2].min(axis=1) < -ON_TABLE)].reshape(-1, 3)
     wanted = [(0, p["dieLength"]), (-0.5*p["dieWidth"], 0.5*p["dieWidth"]), (-p["dieDepth"], 0)]
     keys = "dieLength", "dieWidth", "dieDepth"
     if not len(ground):
-        refuse("dieSurface must have a cavity that is open upwards", f"none in {p['dieSurface']}",
-               "ground below z = 0 that faces up", "Correct the surface")
+        refuse("dieSurface must have a cavity that is open upwards.", f"none in {p['dieSurface']}",
+               "ground below z = 0 that faces up", "Correct the surface.")
     for axis in (0, 1, 2) if d["rig"] == "full" else (0, 2):
         low, high = ground[:, axis].min(), ground[:, axis].max()
         if low < wanted[axis][0] - ON_TABLE or high > wanted[axis][1] + ON_TABLE:
-            refuse(f"dieSurface does not meet the table: its cavity lies outside the box of the die in {'xyz'[axis]}",
+            refuse(f"dieSurface does not meet the table: its cavity lies outside the box of the die in {'xyz'[axis]}.",
                    f"{low:.6g} to {high:.6g} m in {p['dieSurface']}",
                    "{:.6g} to {:.6g} m".format(*wanted[axis]),
-                   f"Correct {keys[axis]} in system/caseParameters, or move the surface")
-
-
-def refuse(rule, found, wanted, remedy):
-    sys.exit(f"{rule}.\n    found   {found}\n    wanted  {wanted}\n{remedy}.")
+                   f"Correct {keys[axis]} in system/caseParameters, or move the surface.")
 
 
 def write(case, p, d, given):

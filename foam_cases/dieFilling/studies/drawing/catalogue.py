@@ -70,6 +70,27 @@ class Surface:
 
 
 @dataclass
+class Sections:
+    number: str
+    text: str
+    air: bool = False
+    study: str = "sections.yaml"
+
+    def draw(self, table, chosen):
+        import velocitySections
+        return (velocitySections.air if self.air else velocitySections.powder)(table, chosen, self.study)
+
+    def numbers(self, table, chosen):
+        """Path of a table to the figure, if there is one."""
+        import airNumbers
+        import velocitySections
+        if not self.air:
+            return []
+        return [airNumbers.write(chosen.out/"airSections.csv",
+                                 velocitySections.numbers(table, chosen, self.study))]
+
+
+@dataclass
 class Critical:
     number: str
     text: str
@@ -88,8 +109,10 @@ FIGURES = {
                                  SIZE, DENSITY),
     "fillingOverDensity": Lines("7", "filling ratio against rho_p/rho_g", FILLING, "densityRatio", SIZE,
                                 SPEED),
+    "powderSections": Sections("8", "powder in the die, coloured by speed, while the shoe crosses it"),
     "fillingOverForce": Scatter("9", "filling ratio against force number G_p/F_drag", FILLING, FORCE,
                                 SIZE),
+    "airSections": Sections("10", "air in the die, its speed and streamlines, and airSections.csv", True),
     "flowOverSize": Lines("11", "volume flow rate against d_p/h_D", FLOW, "dpOverHd", SPEED, DENSITY),
     "flowOverReynolds": Lines("12", "volume flow rate against v rho_g L_D/mu_g", FLOW, "shoeReynolds",
                               SIZE, DENSITY),

@@ -1,20 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The powder's surface in the die at the end, for each k, from the folders of runs that were kept."""
-import csv
-import json
 import math
 import statistics
-import sys
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 
-import figures as engine
-from badInput import BadInput
-from tableFile import number
-
-sys.path.append(str(Path(__file__).resolve().parents[2]/"scene"))
 import cloud
+import figures as engine
+import keptRuns
+from badInput import BadInput
 
 BINS = 10  # as many as the function object surfaceSlope has
 
@@ -53,36 +47,19 @@ def averaged(surfaces, width):
 
 def profiles(table, chosen, study):
     """k -> (parameters, [heights of each bin of a packing])."""
-    folder = chosen.table.resolve().parent
-    missing = f"the study {study} with 'keep: yes' keeps what is needed."
-    try:
-        plan = json.loads((folder/"plan.json").read_text())
-        with open(folder/"runs.csv", newline="") as file:
-            runs = list(csv.DictReader(file))
-    except (OSError, ValueError):
-        raise BadInput(f"there is no whole plan.json and runs.csv beside {table.name}; {missing}")
-    wanted = {row["variant"] for row in table.chosen(chosen.where)}
     found = {}
-    for run in runs:
-        home = Path(plan["case"])/f"variants/{plan['study']}.{run['id']}"
-        if run["status"] != "ok" or run["variant"] not in wanted or not home.is_dir():
-            continue
-        parameters = {key: number(value) for key, value in run.items()}
+    for parameters, home in keptRuns.found(table, chosen, study):
         others = found.setdefault(parameters["coarseGraining"], (parameters, []))
         alone(others[0], parameters)
         try:
             others[1].append(surface(cloud.parcels(home), parameters))
         except cloud.NoPowder as reason:
             raise BadInput(str(reason))
-    if not found:
-        raise BadInput(f"no folder of a run of {table.name} is kept; {missing}")
     return found
 
 
 def alone(one, other):
-    keys = list(one)
-    keys = keys[keys.index("variant") + 1:keys.index("status")]
-    differ = [key for key in keys if one[key] != other[key] and key not in ("seed", "packing")]
+    differ = keptRuns.differing(one, other)
     if differ:
         raise BadInput(f"Kept runs of one coarseGraining differ in {', '.join(differ)}: choose by "
                        f"--where {differ[0]}=VALUE.")

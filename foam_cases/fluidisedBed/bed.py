@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a run of this case says of its bed, for plot.py and measure: series in time, and means over it."""
+import math
+from pathlib import Path
+
+import numpy as np
+
+case = Path(__file__).resolve().parent
+GRAVITY = 9.81
+INTERVALS = 512  # into which a record is cut for what wants equal ones
+
+
+def parameters(folder):
+    numbers = {}
+    for name in ("caseParameters", "caseDerived"):
+        for line in (folder/"system"/name).read_text().splitlines():
+            words = line.split("//")[0].replace(";", " ").split()
+            if len(words) == 2:
+                try:
+                    numbers[words[0]] = float(words[1])
+                except ValueError:
+                    numbers[words[0]] = words[1]
+    return numbers
+
+
+def heights(folder):
+    """Time, mean height of the spheres."""
+    return np.loadtxt(folder/"postProcessing/bedHeight.dat")
+
+
+def drops(folder, p):
+    """Time, pressure drop without the weight of the gas."""
+    text = (folder/"postProcessing/pressureDrop/0/volFieldValue.dat").read_text()
+    gradient = np.array([line.replace("(", " ").replace(")", " ").split()
+                         for line in text.splitlines() if line[0] != "#"], float)
+    drop = -p["gasDensity"]*(gradient[:, 3]/p["area"] + GRAVITY*p["height"])
+    return np.column_stack((gradient[:, 0], drop))
+
+
+def netWeight(folder, p):
+    """Of all spheres, less what the gas buoys, over area [Pa]."""
+    balance = folder/"postProcessing/powderBalance/0/powderBalance.dat"
+    mass = np.loadtxt(balance, skiprows=1, max_rows=1)[4]  # at the start
+    return mass*(1 - p["gasDensity"]/p["particleDensity"])*GRAVITY/p["area"]
+
+
+def since(series, start):
+    """What of a series counts for means: from when the bed bubbles."""
+    return series[series[:, 0] > start - 1e-9]
+
+
+def mean(series, start):
+    """Over time, which passes in unequal steps."""
+    t, y = since(series, start).T
+    return np.trapz(y, t)/(t[-1] - t[0]) if len(t) > 1 else math.nan
+
+
+def deviation(series, start):
+    """Standard deviation in time."""
+    square = series[:, 1] - mean(series, start)
+    return math.sqrt(mean(np.column_stack((series[:, 0], square**2)), start))
+
+
+def evenly(series, start):
+    """Means over equal intervals, each as the trapezoids have it."""
+    t, y = since(series, start).T
+    sums = np.concatenate(([0], np.cumsum(0.5*(y[1:] + y[:-1])*np.diff(t))))
+    ends = np.linspace(t[0], t[-1], INTERVALS + 1)
+    return np.diff(np.interp(ends, t, sums))/(ends[1] - ends[0])
