@@ -66,7 +66,7 @@ def of(case):
     """Fill at the last time of a run; raises cloud.NoPowder."""
     points = cloud.parcels(case)
     numbers = parameters.read(case/"system/caseParameters", case/"system/caseDerived")
-    return between(numbers, points, triangles(case, numbers))
+    return between(numbers, points, triangles(case, numbers), cloud.diameters(case))
 
 
 def triangles(case, numbers):
@@ -75,8 +75,10 @@ def triangles(case, numbers):
     return () if usual else stl.read(case/"constant/triSurface/dieSolid.stl")
 
 
-def between(numbers, points, body):
+def between(numbers, points, body, diameters=None):
+    """Of parcels around points; all of one diameter if none are given."""
     cavity = Cavity.of(numbers, body)
     x, y = np.meshgrid(cavity.centres(0), cavity.centres(1), indexing="ij")
-    diameter = numbers["parcelDiameter"]
-    return Fill(cavity, dies.sectors(numbers, numbers["rig"], x, y), cavity.filled(points, diameter), diameter)
+    parcel = numbers["parcelDiameter"]
+    powder = cavity.filled(points, parcel if diameters is None else diameters)
+    return Fill(cavity, dies.sectors(numbers, numbers["rig"], x, y), powder, parcel)
