@@ -198,6 +198,10 @@ class Uniformity(unittest.TestCase):
         full = self.fill("rectangular", lattice(0.25e-3, (0, -4e-3, -5e-3), (8e-3, 4e-3, 0)), 0.25e-3)
         full.parcel = 1e-3
         self.assertAlmostEqual(full.wallGap(), 1, delta=0.02)
+        # The lower, narrower half of a stepped die full, the upper one empty: no gap at any height.
+        stem = self.fill("stepped", lattice(0.25e-3, (2e-3, -4e-3, -5e-3), (6e-3, 4e-3, -2.5e-3)), 0.25e-3)
+        stem.parcel = 1e-3
+        self.assertAlmostEqual(stem.wallGap(), 1, delta=0.02)
 
     def testTakesEachParcelsDiameter(self):
         """As OpenFOAM writes them, by two ranks: 0.5 mm, and twice 0.25 mm in a list of one value."""
