@@ -198,6 +198,32 @@ class Uniformity(unittest.TestCase):
         full = self.fill("rectangular", lattice(0.25e-3, (0, -4e-3, -5e-3), (8e-3, 4e-3, 0)), 0.25e-3)
         full.parcel = 1e-3
         self.assertAlmostEqual(full.wallGap(), 1, delta=0.02)
+        # The lower, narrower half of a stepped die full, the upper one empty: no gap at any height.
+        stem = self.fill("stepped", lattice(0.25e-3, (2e-3, -4e-3, -5e-3), (6e-3, 4e-3, -2.5e-3)), 0.25e-3)
+        stem.parcel = 1e-3
+        self.assertAlmostEqual(stem.wallGap(), 1, delta=0.02)
+
+    def testTakesEachParcelsDiameter(self):
+        """As OpenFOAM writes them, by two ranks: 0.5 mm, and twice 0.25 mm in a list of one value."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        head = "FoamFile\n{{\n    format      {};\n}}\n// * * * //\n\n"
+        one = b"1\n(" + np.array([0.5e-3]).tobytes() + b")"
+        for rank, kind, points, d in ((0, "binary", ["(2e-3 0 -2e-3) 0"], one),
+                                      (1, "ascii", ["(6e-3 0 -2e-3) 0", "(6e-3 0 -3e-3) 0"], b"2{0.25e-3}")):
+            powder = Path(folder.name)/f"processor{rank}/0.1/lagrangian/powder"
+            powder.mkdir(parents=True)
+            (powder/"positions").write_text(head.format("ascii") + f"{len(points)}\n(\n" + "\n".join(points)
+                                            + "\n)\n")
+            (powder/"d").write_bytes(head.format(kind).encode() + d + b"\n")
+        home = Path(folder.name)
+        self.assertEqual(uniformity.cloud.diameters(home).tolist(), [0.5e-3, 0.25e-3, 0.25e-3])
+        p, d = numbers(dieShape="rectangular")
+        fill = uniformity.between({**p, **d, "parcelDiameter": 1e-3}, uniformity.cloud.parcels(home), (),
+                                  uniformity.cloud.diameters(home))
+        half = fill.powder.shape[0]//2
+        self.assertAlmostEqual(fill.powder[:half].sum()/(math.pi/6*0.5e-3**3), 1, 9)
+        self.assertAlmostEqual(fill.powder[half:].sum()/(math.pi/3*0.25e-3**3), 1, 9)
 
     def testOfASliceGoesOnBeyondItsEnds(self):
         """A parcel at one end: half of it lies at the other, and there are no side walls there."""

@@ -61,24 +61,27 @@ class Cavity:
             np.add.at(above, (p + i.start, q + j.start, k[p, q]), 1 if twice > 0 else -1)
         return np.cumsum(above[:, :, ::-1], axis=2)[:, :, nz - 1::-1] > 0
 
-    def filled(self, points, diameter):
-        """Volume of powder in each cube [m3], of parcels of one diameter around points."""
+    def filled(self, points, diameters):
+        """Volume of powder in each cube [m3], of parcels around points."""
         n = (np.arange(SPHERE) + 0.5)/SPHERE - 0.5
         ball = np.stack(np.meshgrid(n, n, n, indexing="ij"), axis=-1).reshape(-1, 3)
-        ball = diameter*ball[np.sum(ball**2, axis=1) <= 0.25]
+        ball = ball[np.sum(ball**2, axis=1) <= 0.25]
         high = self.low + self.size*self.room.shape
         points = np.asarray(points, float).reshape(-1, 3)
-        near = np.all((points > self.low - diameter/2) & (points < high + diameter/2), axis=1)
+        d = np.broadcast_to(diameters, len(points))[:, None]
+        near = np.flatnonzero(np.all((points > self.low - d/2) & (points < high + d/2), axis=1))
         powder = np.zeros(self.room.size)
-        for some in np.array_split(points[near], 1 + near.sum()//2000):
-            spread = (some[:, None] + ball).reshape(-1, 3)
+        for some in np.array_split(near, 1 + len(near)//2000):
+            spread = (points[some, None] + d[some, None]*ball).reshape(-1, 3)
             cube = np.floor((spread - self.low)/self.size).astype(int)
-            cube = cube[cube[:, 2] < self.room.shape[2]]
+            below = cube[:, 2] < self.room.shape[2]
+            cube = cube[below]
+            share = np.repeat(np.pi/6*d[some, 0]**3/len(ball), len(ball))[below]
             if self.periodic:
                 cube[:, 1] %= self.room.shape[1]
             cube = np.clip(cube, 0, np.array(self.room.shape) - 1)  # pressed into a wall
-            powder += np.bincount(np.ravel_multi_index(cube.T, self.room.shape), minlength=powder.size)
-        return powder.reshape(self.room.shape)*np.pi/6*diameter**3/len(ball)
+            powder += np.bincount(np.ravel_multi_index(cube.T, self.room.shape), share, powder.size)
+        return powder.reshape(self.room.shape)
 
     def core(self, distance):
         """Cubes whose distance from the side walls is larger, in their own layer."""

@@ -3,6 +3,8 @@
 import re
 import struct
 
+import numpy as np
+
 LIST = re.compile(rb"\n(\d+)\s*\(\s?")
 
 
@@ -12,15 +14,26 @@ class NoPowder(Exception):
 
 def parcels(home):
     """Positions at the last time, of all ranks."""
-    ranks = sorted(home.glob("processor[0-9]*")) or [home]
-    times = [path.name for path in ranks[0].iterdir() if isTime(path.name)]
-    last = max(times, key=float, default=None)
-    files = [rank/last/"lagrangian/powder/positions" for rank in ranks if last]
-    points = [point for path in files if path.is_file() for point in positions(path)]
+    last, folders = lastTime(home)
+    points = [point for folder in folders for point in positions(folder/"positions")]
     if not points:
         raise NoPowder(f"The folder {home} holds no powder at its last time "
                        f"({last or 'there is none'}): run that variant again.")
     return points
+
+
+def diameters(home):
+    """The same of their diameters [m], in the same order."""
+    return np.concatenate([numbers(folder/"d") for folder in lastTime(home)[1]])
+
+
+def lastTime(home):
+    """Its name, and the folders of powder there; a rank without any has none."""
+    ranks = sorted(home.glob("processor[0-9]*")) or [home]
+    times = [path.name for path in ranks[0].iterdir() if isTime(path.name)]
+    last = max(times, key=float, default=None)
+    folders = [rank/last/"lagrangian/powder" for rank in ranks] if last else []
+    return last, [folder for folder in folders if (folder/"positions").is_file()]
 
 
 def isTime(name):
@@ -44,6 +57,26 @@ def positions(path):
         lines = content[at:].decode().split("\n")[:count]
         return [tuple(map(float, line[1:line.index(")")].split())) for line in lines]
     except (ValueError, struct.error):
+        raise NoPowder(f"The file {path} is torn: run that variant again.")
+
+
+def numbers(path):
+    """Of OpenFOAM's list of numbers, written in binary or as text; a list of one value may be short, N{value}."""
+    if not path.is_file():
+        return np.empty(0)  # of a rank without powder
+    content = path.read_bytes()
+    start = content.find(b"// * *")
+    same = re.compile(rb"\n(\d+)\s*{([^}]*)}").search(content, start)
+    found = LIST.search(content, start)
+    try:
+        if same:
+            return np.full(int(same[1]), float(same[2]))
+        if not found:
+            return np.empty(0)
+        if re.search(rb"format\s+binary", content[:start]):
+            return np.frombuffer(content, "<f8", int(found[1]), content.index(b"(", found.start()) + 1)
+        return np.array(content[found.end():].split(b")")[0].split(), float)
+    except ValueError:
         raise NoPowder(f"The file {path} is torn: run that variant again.")
 
 

@@ -53,20 +53,21 @@ class Fill:
         return {f"worst{name}": float(share[axis] @ self.cavity.centres(axis)) for axis, name in enumerate("XYZ")}
 
     def wallGap(self):
-        """Solid fraction within a parcel's diameter of the side walls, over that of the core."""
+        """Solid fraction within a parcel's diameter of the side walls, over that of the core at the same heights: a
+        narrow part of the die has more walls, and may be fuller as it lies lower."""
         core = self.cavity.core(self.parcel)
-        beside = self.cavity.room & ~core
-        powder = self.powder[core].sum()
-        if not powder > 0 or not beside.any():
-            return None
-        return float(self.powder[~core].sum()/beside.sum()*core.sum()/powder)
+        level = lambda values: values.sum(axis=(0, 1))
+        room, beside = level(core), level(self.cavity.room & ~core)
+        both = (room > 0) & (beside > 0)
+        expected = np.sum(level(np.where(core, self.powder, 0))[both]*beside[both]/room[both])
+        return float(level(np.where(core, 0, self.powder))[both].sum()/expected) if expected > 0 else None
 
 
 def of(case):
     """Fill at the last time of a run; raises cloud.NoPowder."""
     points = cloud.parcels(case)
     numbers = parameters.read(case/"system/caseParameters", case/"system/caseDerived")
-    return between(numbers, points, triangles(case, numbers))
+    return between(numbers, points, triangles(case, numbers), cloud.diameters(case))
 
 
 def triangles(case, numbers):
@@ -75,8 +76,10 @@ def triangles(case, numbers):
     return () if usual else stl.read(case/"constant/triSurface/dieSolid.stl")
 
 
-def between(numbers, points, body):
+def between(numbers, points, body, diameters=None):
+    """Of parcels around points; all of one diameter if none are given."""
     cavity = Cavity.of(numbers, body)
     x, y = np.meshgrid(cavity.centres(0), cavity.centres(1), indexing="ij")
-    diameter = numbers["parcelDiameter"]
-    return Fill(cavity, dies.sectors(numbers, numbers["rig"], x, y), cavity.filled(points, diameter), diameter)
+    parcel = numbers["parcelDiameter"]
+    powder = cavity.filled(points, parcel if diameters is None else diameters)
+    return Fill(cavity, dies.sectors(numbers, numbers["rig"], x, y), powder, parcel)
