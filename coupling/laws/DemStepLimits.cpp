@@ -68,7 +68,7 @@ DemStepLimits demStepLimits(
             const Material partner(materials, other);
             const double modulus = 1/(particle.normalCompliance() + partner.normalCompliance());
             limits.hertz = std::min(limits.hertz, hertzTime(mass/2, radius/2, modulus, speed));
-            if (materials.rough && materials.restitution < 1)
+            if (materials.rough)
             {
                 const double shear = 1/(particle.shearCompliance() + partner.shearCompliance());
                 limits.dashpot = std::min(limits.dashpot,

@@ -88,6 +88,7 @@ TEST(DemEngine, CountsAndMeasuresTheParticlesOfAllRanks)
     dem->advance(100);
 
     EXPECT_EQ(dem->particleCount(), 64);
+    EXPECT_EQ(dem->particleTypes(), std::vector<bool>{true});
     EXPECT_DOUBLE_EQ(dem->maximumRadius(), 0.002);
     EXPECT_DOUBLE_EQ(dem->minimumRadius(), 0.002);
     EXPECT_NEAR(dem->maximumSpeed(), 0.01, 1e-15);
@@ -114,6 +115,7 @@ TEST(DemEngine, StartsWithoutParticles)
     dem->advance(10);
 
     EXPECT_EQ(dem->particleCount(), 0);
+    EXPECT_EQ(dem->particleTypes(), std::vector<bool>{false});
     EXPECT_EQ(dem->maximumSpeed(), 0);
     EXPECT_EQ(dem->maximumRadius(), 0);
     EXPECT_EQ(dem->minimumRadius(), 0);
