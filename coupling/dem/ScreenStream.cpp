@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/dem/ScreenStream.hpp"
 
+#include <mpi.h>
+
 #include <cstdlib>
 #include <stdexcept>
 
@@ -10,7 +12,7 @@ namespace interstice::dem
 namespace
 {
 
-/// The engine inside LIGGGHTS just now; what std::atexit can see of it.
+/// The engine inside LIGGGHTS just now; what the end of MPI and of the program can see of it.
 ScreenStream* atWork = nullptr;
 
 void announceSilentEnd()
@@ -18,7 +20,25 @@ void announceSilentEnd()
     if (atWork)
     {
         atWork->announceEnd();
+        atWork = nullptr;
     }
+}
+
+int announceAtFinalize(MPI_Comm, int, void*, void*)
+{
+    announceSilentEnd();
+    return MPI_SUCCESS;
+}
+
+/// MPI_Finalize first deletes what hangs on MPI_COMM_SELF (MPI 3.1, section 8.7.1). LIGGGHTS
+/// finalizes before it exits, and a rank that has exited has mpirun end the others, so a word
+/// said at the exit alone can come too late.
+bool listenForTheEnd()
+{
+    int key = MPI_KEYVAL_INVALID;
+    MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, announceAtFinalize, &key, nullptr);
+    MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
+    return std::atexit(announceSilentEnd) == 0;
 }
 
 } // namespace
@@ -122,7 +142,7 @@ void ScreenStream::passOn()
 LiggghtsAtWork::LiggghtsAtWork(ScreenStream& screen, const std::string& task)
     : outer_(atWork)
 {
-    static const bool registered = std::atexit(announceSilentEnd) == 0;
+    static const bool registered = listenForTheEnd();
     static_cast<void>(registered);
 
     screen.setTask(task);
