@@ -116,7 +116,11 @@ def reference(bench, chosen):
         if code:
             sys.exit(code)
     print(given.read_text().splitlines()[0], f"({given})", flush=True)
-    return numbers(given)
+    series = numbers(given)
+    if series[-1][0] < chosen.endTime - 1e-6:
+        sys.exit(f"The series of DPMFoam must reach the end of the comparison, {chosen.endTime} s; {given} ends "
+                 f"at {series[-1][0]} s. Delete it, and DPMFoam runs; or compare with --endTime.")
+    return series
 
 
 def verify(bench, chosen):
