@@ -8,6 +8,7 @@
 #include "dictionary.H"
 
 #include <cstdio>
+#include <vector>
 
 namespace interstice
 {
@@ -16,18 +17,23 @@ using namespace Foam;
 
 fileName findScript(const std::string& name, const Time& time, const std::string& where)
 {
-    const fileName inCase = time.globalPath()/name;
-    const fileName installed = fileName(INTERSTICE_INSTALLED_SCRIPTS)/name;
-    const fileName inSource = fileName(INTERSTICE_SOURCE_SCRIPTS)/name;
-    for (const fileName& path : {inCase, inSource, installed})
+    std::vector<fileName> places{fileName(name)};
+    if (!places.front().isAbsolute())
+    {
+        places = {time.globalPath()/name, fileName(INTERSTICE_SOURCE_SCRIPTS)/name,
+            fileName(INTERSTICE_INSTALLED_SCRIPTS)/name};
+    }
+    std::string wanted;
+    for (const fileName& path : places)
     {
         if (isFile(path))
         {
             return path;
         }
+        wanted += (wanted.empty() ? "a file " : "\nor ") + path;
     }
-    throw InputError({"The LIGGGHTS script of the powder must exist.", name,
-        "a file " + inCase + "\nor " + inSource + "\nor " + installed, where, "Correct the name or write the script."});
+    throw InputError({"The LIGGGHTS script of the powder must exist.", name, wanted, where,
+        "Correct the name or write the script."});
 }
 
 std::map<std::string, std::string> numbersIn(const fileName& path, const std::string& where)

@@ -9,8 +9,8 @@
 namespace interstice
 {
 
-/// The LIGGGHTS script of a case: a path relative to the case folder, else the name of a script
-/// that is installed with the library. Throws InputError naming both places.
+/// The LIGGGHTS script of a case: an absolute path; or one relative to the case folder, else the name of
+/// a script that comes with the library. Throws InputError naming the places.
 Foam::fileName findScript(
     const std::string& name, const Foam::Time& time, const std::string& where);
 

@@ -107,6 +107,8 @@ files = [
     Mistake("no mesh", [(f"constant/polyMesh/{name}", "", None) for name in
                         ("points", "faces", "owner", "neighbour", "boundary")], ["A case needs a mesh", "constant/polyMesh", "blockMesh"]),
     coupling("no LIGGGHTS script", "powder.in", "powders.in", "powders.in", "script"),
+    coupling("no LIGGGHTS script there", "powder.in", "/nowhere/powder.in", "wanted  a file /nowhere/powder.in",
+             "script"),
     coupling("no surface of a solid", "block.stl", "blocks.stl", "blocks.stl", "key surface"),
     coupling("no parameters", "powderParameters", "powderParameter", "key parameters",
              "powderParameter"),
