@@ -124,6 +124,20 @@ def complaintsAbout(mistake, code, text, folder):
     return complaints + (lastState(folder) if mistake.state else [])
 
 
+def judge(mistake, prepared, work, chosen):
+    """Name, what was printed, seconds, complaints. None: no mistake, which must run, or the mistakes
+    prove nothing."""
+    name = mistake.name if mistake else "(no mistake)"
+    folder = work/re.sub(r"[^A-Za-z0-9]+", "_", name)
+    (mistake or Mistake(name, [], [])).make(prepared, folder)
+    code, text, seconds = execute(
+        folder, command(chosen.solver, chosen.ranks, mistake and mistake.arguments))
+    (folder/"log").write_text(text)
+    complaints = complaintsAbout(mistake, code, text, folder) if mistake else \
+        ["it does not run"] if code or "\nEnd" not in text else []
+    return name, text, seconds, complaints
+
+
 def main(mistakes):
     options = argparse.ArgumentParser()
     options.add_argument("--solver", required=True, help="path of demPimpleFoam")
@@ -137,24 +151,12 @@ def main(mistakes):
     prepared = work/"prepared"
     prepare(prepared, chosen.ranks)
 
-    def judge(mistake):
-        """None: there is none, and it must run, or the mistakes prove nothing."""
-        name = mistake.name if mistake else "(no mistake)"
-        folder = work/re.sub(r"[^A-Za-z0-9]+", "_", name)
-        (mistake or Mistake(name, [], [])).make(prepared, folder)
-        code, text, seconds = execute(
-            folder, command(chosen.solver, chosen.ranks, mistake and mistake.arguments))
-        (folder/"log").write_text(text)
-        complaints = complaintsAbout(mistake, code, text, folder) if mistake else \
-            ["it does not run"] if code or "\nEnd" not in text else []
-        return name, text, seconds, complaints
-
-    chosenOnes = [None] + [m for m in mistakes if chosen.ranks in m.ranks and
-                           (chosen.only or "") in m.name]
+    wanted = [None] + [m for m in mistakes
+                       if chosen.ranks in m.ranks and (chosen.only or "") in m.name]
     failed = 0
     # mpirun waits a second for the ranks of a failed run to end: another run uses it.
     with concurrent.futures.ThreadPoolExecutor(chosen.ranks) as pool:
-        for name, text, seconds, complaints in pool.map(judge, chosenOnes):
+        for name, text, seconds, complaints in pool.map(lambda m: judge(m, prepared, work, chosen), wanted):
             print(f"{name:58s} {chosen.ranks} ranks {seconds:5.1f} s  "
                   f"{'; '.join(complaints) or 'good'}", flush=True)
             if chosen.show or complaints:

@@ -5,8 +5,8 @@ here, so that this is the convergence in both; half of it is `coupling x 0.5` as
 
 Packings make single runs scatter by 1.1 to 2.4 pp (two sets of nine), and so do last digits, because
 contacts amplify them: runs of one packing differ as much as those of two. So means over packings are
-compared. Their difference has the standard error s sqrt(2/n), with s the scatter of a single run, pooled over all
-settings, and n the number of packings. Allowed are 1 pp and two standard errors; both are printed,
+compared. Their difference has the standard error s sqrt(2/n), with s the scatter of a single run,
+pooled over all settings, and n the number of packings. Allowed are 1 pp and two standard errors; both are printed,
 and whoever wants it sharper asks for more packings: with s = 2 pp, 3 allow 4.3 pp, 10 allow 2.8 pp.
 
 That the steps really differ is judged, too: a Courant number that binds would make them the same.
