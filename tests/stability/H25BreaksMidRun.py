@@ -124,7 +124,10 @@ def gone(processes, since):
 
 def runToTheFault(folder, command, fault, ranks):
     """Its end. Seconds are those since the last step before the fault was told."""
-    process = subprocess.Popen(command, cwd=folder, env=environment(folder), text=True,
+    env = environment(folder)
+    if fault.signal:  # not for the address sanitizer, if there is one
+        env["ASAN_OPTIONS"] = env.get("ASAN_OPTIONS", "") + ":handle_segv=0"
+    process = subprocess.Popen(command, cwd=folder, env=env, text=True,
                                errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     watch = threading.Timer(PATIENCE, process.terminate)  # mpirun then ends its ranks
     watch.start()
