@@ -111,6 +111,19 @@ double checkedDensity(const volVectorField& U, const volScalarField& p)
     return transport.quantity("rho", dimDensity, "kg/m3", Parameters::Range::positive);
 }
 
+// Density follows pressure at constant temperature: rho (1 + p/p0), p over the one at rest, p0.
+dimensionedScalar givenCompressibility(const dictionary& dict, double density)
+{
+    const Parameters transport(dict);
+    const word law = transport.name("compressibility", "none");
+    if (law != "none" && law != "isothermal")
+    {
+        throw unknownName("compressibility", law, {"none", "isothermal"}, transport.where("compressibility"));
+    }
+    return dimensionedScalar("compressibility", sqr(dimTime/dimLength), law == "none" ? 0
+        : density/transport.quantity("pressure", dimPressure, "Pa", Parameters::Range::positive));
+}
+
 void requireEuler(const fvMesh& mesh)
 {
     const word scheme(mesh.ddtScheme("ddt(U)"));
@@ -160,6 +173,7 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     density_(checkedDensity(U_, p_)),
     transport_(U_, phi_),
     nu_("laminarViscosity", transport_.nu()),
+    compressibility_(givenCompressibility(transport_, density_)),
     gravity_("gravityOnAir", dimAcceleration, transport_.lookupOrDefault<vector>("gravity", Zero)),
     bodyForce_(givenForce(mesh)),
     turbulence_(Turbulence::New(alpha_, U_, alphaPhi_, phi_, transport_).ptr())
@@ -248,7 +262,17 @@ void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     }
     RunFailure::throwOnAllRanks(
         !bad.empty(), "The air has a value that is no number.", bad, MPI_COMM_WORLD);
+    if (compressible())
+    {
+        ddtAlpha_ += storage()*(p_ - p_.oldTime());
+    }
     finish();
+}
+
+// What a cell takes in by compression, per pressure over density: alpha rho/(p0 dt).
+tmp<volScalarField> AirFlow::storage() const
+{
+    return compressibility_/mesh_.time().deltaT()*alpha_;
 }
 
 // Which cell of this rank has a value that is no number; empty if none has.

@@ -31,7 +31,7 @@ public:
     };
 
     /// Reads U, p, bodyForce [m/s2] if there is one, and constant/transportProperties (nu, rho,
-    /// gravity).
+    /// gravity; compressibility: none, or isothermal with pressure [Pa], absolute, where p is zero).
     AirFlow(Foam::fvMesh& mesh, StageClock& clock);
 
     double density() const { return density_; } ///< [kg/m3]
@@ -67,6 +67,8 @@ private:
     Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
     void correctPressure(const Foam::volVectorField& carried);
     Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
+    bool compressible() const { return compressibility_.value() > 0; }
+    Foam::tmp<Foam::volScalarField> storage() const;
     void finish();
     std::string badCell() const;
     void stepBack();
@@ -78,7 +80,7 @@ private:
     Foam::volVectorField U_; ///< interstitial
     Foam::volScalarField p_; ///< over density
     Foam::volScalarField alpha_; ///< void fraction
-    Foam::volScalarField ddtAlpha_; ///< of this step; its old value belongs to alphaPhi's
+    Foam::volScalarField ddtAlpha_; ///< of this step, -div(alphaPhi); its old value belongs to alphaPhi's
     Foam::surfaceScalarField alphaPhi_; ///< flux of alpha U
     Foam::surfaceScalarField phi_; ///< flux of U
     Foam::volVectorField push_; ///< all forces of the last step: drag, pressure, gravity [m/s2]
@@ -90,6 +92,7 @@ private:
     double density_;
     Foam::singlePhaseTransportModel transport_;
     Foam::volScalarField nu_;
+    Foam::dimensionedScalar compressibility_; ///< rho/p0 of isothermal air, else zero [s2/m2]
     Foam::dimensionedVector gravity_; ///< of the air; zero unless asked for
     Foam::volVectorField bodyForce_; ///< besides gravity; zero unless the case has such a field
     std::unique_ptr<Turbulence> turbulence_;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// demPimpleFoam: powder (LIGGGHTS) in air (volume-averaged Navier-Stokes, incompressible, PIMPLE).
+// demPimpleFoam: powder (LIGGGHTS) in air (volume-averaged Navier-Stokes, PIMPLE).
 //
 //     d(alpha)/dt + div(alpha U) = 0
 //     d(alpha U)/dt + div(alpha U U) = -alpha grad(p) + div(alpha tau) - K/rho (U - U_s) + alpha g
+//
+// Air that may be compressed takes in alpha/p0 dp/dt besides (isothermal, p small beside p0).
 //
 // Model A of Zhou, Kuang, Chu & Yu, J. Fluid Mech. 661 (2010) 482-510: the air loses what drag gives
 // to the powder, and the powder feels -V grad(p) besides. p is the pressure over the density.

@@ -65,7 +65,7 @@ void AirFlow::correctPressure(const volVectorField& carried)
         fixedFlux_*fvc::interpolate(alpha_)*fvc::flux(U_) + (1 - fixedFlux_)*predicted;
 
     volScalarField gain(fvc::div(predicted) + ddtAlpha_);
-    if (p_.needReference())
+    if (p_.needReference() && !compressible())
     {
         // Nothing can leave a closed box: powder put in or taken out is shared among all cells.
         const dimensionedScalar mean(gain.weightedAverage(mesh_.V()));
@@ -79,7 +79,15 @@ void AirFlow::correctPressure(const volVectorField& carried)
         (
             fvm::laplacian(D, p_) == gain
         );
-        pEqn.setReference(pRefCell_, pRefValue_);
+        if (compressible())
+        {
+            const volScalarField taken(storage());
+            pEqn -= fvm::Sp(taken, p_) - taken*p_.oldTime();
+        }
+        else
+        {
+            pEqn.setReference(pRefCell_, pRefValue_);
+        }
         const bool final = pimple_.finalInnerIter();
         report_.pressureIterations +=
             pEqn.solve(mesh_.solver(p_.select(final))).nIterations();

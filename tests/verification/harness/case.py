@@ -70,6 +70,7 @@ class Case:
         self.lawName = "GidaspowHuilin"
         self.gravity = (0.0, 0.0, 0.0)  # on the grains
         self.airGravity = (0.0, 0.0, 0.0)
+        self.compressibility = ""  # keys of transportProperties
         self.U = (0.0, 0.0, 0.0)  # of the air, at the start and through an inlet
         self.deposit = "kernel"
         self.smoothingWidth = 0.0
@@ -124,7 +125,7 @@ class Case:
             "adjustTimeStep": "on" if self.adjustTimeStep else "off",
             "slices": " ".join(str(ranks) if a == self.slices else "1" for a in AXES),
             "airGravity": spaced(self.airGravity), "law": self.lawName, "deposit": self.deposit,
-            "timeStep": self.timeStep, "cells": " ".join(map(str, self.box.cells)),
+            "timeStep": self.timeStep, "compressibility": self.compressibility, "cells": " ".join(map(str, self.box.cells)),
             "U": spaced(self.U), "processors": self.processors}
         texts.update({key: format(value, ".15g") for key, value in numbers.items()})
         texts.update(self.boundaries())
