@@ -181,6 +181,12 @@ void Checkpoint::complete(const Time& clock) const
     dict.add("lag", lag);
     dict.add("initialMass", initialMass);
     dict.add("lost", double(lost));
+    dictionary numbers;
+    for (const auto& [key, largest] : effects)
+    {
+        numbers.add(word(key), largest);
+    }
+    dict.add("effects", numbers);
     dict.add("dem", written(dem));
     dict.add("particles", double(particles));
     dict.add("mass", mass);
@@ -233,6 +239,11 @@ std::optional<Checkpoint> Checkpoint::of(const Time& clock)
     c.lag = entry<scalar>(record, "lag");
     c.initialMass = entry<scalar>(record, "initialMass");
     c.lost = std::llround(entry<scalar>(record, "lost"));
+    const dictionary& numbers = record.subDict("effects");
+    for (const word& key : numbers.toc())
+    {
+        c.effects[key] = entry<scalar>(numbers, key);
+    }
     c.dem = readDem(record.subDict("dem"));
     c.particles = std::llround(entry<scalar>(record, "particles"));
     c.mass = entry<scalar>(record, "mass");

@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "vector.H"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,7 @@ struct Checkpoint
     double lag = 0; ///< by which the air saw the powder late [s]
     double initialMass = 0; ///< of all particles where the run began [kg]
     long long lost = 0; ///< particles so far
+    std::map<std::string, double> effects; ///< largest number of each effect so far
     DemClockAndWalls dem;
 
     // By which it is known

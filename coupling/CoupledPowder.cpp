@@ -154,7 +154,8 @@ void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
     clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
 }
 
-void CoupledPowder::fromAir(const volVectorField& U, const volVectorField& pressureGradient)
+void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
+    const volVectorField& pressureGradient)
 {
     const double interval = mesh_.time().deltaTValue();
     std::vector<GasRecord> own(dem_->particles().count);
@@ -172,6 +173,7 @@ void CoupledPowder::fromAir(const volVectorField& U, const volVectorField& press
         StageClock::Scope exchanging(clock_, Stage::exchange);
         exchange_->toOwners(handled, own);
     }
+    addEffects(U, nu, own);
     StageClock::Scope timed(clock_, Stage::dem);
     for (std::size_t i = 0; i < own.size(); ++i)
     {

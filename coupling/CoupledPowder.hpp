@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/effects/EffectTable.hpp"
 #include "coupling/mesh/PowderOnMesh.hpp"
 #include "coupling/mesh/PowderState.hpp"
 #include "coupling/mesh/SolidsOnMesh.hpp"
@@ -26,7 +27,7 @@ class TimeStepChoice;
 ///     ++runTime
 ///     powder.toAir(U, nu)              void fraction at predicted positions, drag coefficients
 ///     ... the air moves ...
-///     powder.fromAir(U, gradP)         air at the particles; DEM sub-steps to t^{n+1}
+///     powder.fromAir(U, nu, gradP)     air at the particles; DEM sub-steps to t^{n+1}
 ///
 /// All member functions are collective unless said otherwise. Errors of the user's making are
 /// InputErrors, thrown on all ranks. Keys of constant/couplingProperties: see the README of
@@ -60,7 +61,8 @@ public:
     void toAir(const Foam::volVectorField& U, const Foam::volScalarField& nu);
 
     /// Air to particles, then DEM to the time of the clock. `pressureGradient` in Pa/m.
-    void fromAir(const Foam::volVectorField& U, const Foam::volVectorField& pressureGradient);
+    void fromAir(const Foam::volVectorField& U, const Foam::volScalarField& nu,
+        const Foam::volVectorField& pressureGradient);
 
     /// DEM to the time of the clock, with no air.
     void fall();
@@ -69,6 +71,7 @@ public:
     PowderOnMesh& onMesh() { return *onMesh_; }
     const SolidsOnMesh& solids() const { return *solids_; }
     const PowderState& state() const { return state_; }
+    const EffectTable& effects() const { return effects_; }
     const std::string& bindingLimit() const; ///< which limit set the time step
     long demSteps() const; ///< in this time step
     double demTimeStep() const; ///< [s]
@@ -102,6 +105,12 @@ private:
     void resume(const Checkpoint& before);
     Checkpoint record() const;
     void readSolids(const Foam::dictionary& dict);
+    void readEffects(const Foam::dictionary& dict);
+    void addEffects(const Foam::volVectorField& U, const Foam::volScalarField& nu,
+        std::vector<GasRecord>& own);
+    double shearNumber(const Foam::volVectorField& vorticity, const Foam::volScalarField& nu) const;
+    void liftInShear(const Foam::volVectorField& vorticity, const Foam::volScalarField& nu,
+        std::vector<GasRecord>& own) const;
     void checkScene() const;
     void checkSmoothing(double width, const std::string& where) const;
     void checkPowderInMesh() const;
@@ -132,6 +141,7 @@ private:
     std::vector<std::string> solidWalls_; // LIGGGHTS fix of each solid
     std::unique_ptr<ParticleExchange> exchange_;
     std::unique_ptr<TimeStepChoice> timeStep_;
+    EffectTable effects_;
     PowderState state_;
 };
 

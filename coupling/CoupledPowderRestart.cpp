@@ -44,6 +44,10 @@ Checkpoint CoupledPowder::record() const
     c.timeIndex = clock.timeIndex();
     c.response = response_;
     c.lag = lag_;
+    for (const Effect& effect : effects_.effects())
+    {
+        c.effects[effect.key] = effect.largest;
+    }
     c.initialMass = state_.initialMass;
     c.lost = state_.lost;
     c.particles = state_.total;
@@ -94,6 +98,10 @@ void CoupledPowder::resume(const Checkpoint& before)
     resumed_ = true;
     response_ = before.response;
     lag_ = before.lag;
+    for (const auto& [key, largest] : before.effects)
+    {
+        effects_.meet(key, largest, before.time);
+    }
     state_.initialMass = before.initialMass;
     state_.lost = before.lost;
     Time& clock = const_cast<Time&>(mesh_.time());

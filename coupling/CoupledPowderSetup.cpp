@@ -85,6 +85,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
         openDem(powder, before ? &*before : nullptr);
     }
     readSolids(p.sub("solids"));
+    readEffects(p.sub("effects"));
     p.allGroupsKnown();
     checkScene();
     checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),

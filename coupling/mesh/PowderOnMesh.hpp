@@ -90,6 +90,13 @@ public:
     std::vector<GasRecord> gasAtParcels(const Foam::volVectorField& U,
         const Foam::volVectorField& pressureGradient, double interval) const;
 
+    /// Collective. Any four numbers of cells at the parcels, sampled by the adjoint of the deposit;
+    /// `cells` is nCells long, used up.
+    std::vector<Packed<4>> atParcels(Foam::List<Packed<4>>&& cells) const
+    {
+        return transfer_.sample(std::move(cells));
+    }
+
     const Foam::volScalarField& voidFraction() const { return voidFraction_; }
     const Foam::volScalarField& dragCoefficient() const { return drag_; } ///< sum b/V [kg/m3/s]
     const Foam::volVectorField& dragSource() const { return dragSource_; } ///< sum b v/V [N/m3]

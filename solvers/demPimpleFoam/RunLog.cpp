@@ -159,6 +159,10 @@ void RunLog::stopped(const std::string& why)
 
 void RunLog::end()
 {
+    if (powder_.hasAir())
+    {
+        Info<< nl << powder_.effects().text().c_str();
+    }
     table();
     Info<< "End" << nl << endl;
 }
@@ -194,6 +198,11 @@ void RunLog::json(
     for (const StageTimes::Row& row : times.rows)
     {
         out["stages"][row.name] = {{"min", row.min}, {"mean", row.mean}, {"max", row.max}};
+    }
+    for (const Effect& effect : powder_.effects().effects())
+    {
+        out["effects"][effect.key] = {{"on", effect.on}, {"by", EffectTable::decidedBy(effect)},
+            {"number", effect.largest}, {"limit", effect.limit}, {"meaning", effect.number}};
     }
     out["bytesPerParticleStep"] = traffic.bytesPerParticle;
     out["messagesPerRankStep"] = traffic.messagesPerRank;

@@ -49,7 +49,7 @@ static int run(argList& args)
             {
                 powder.toAir(air.U(), air.nu());
                 air.solve(powder.onMesh(), powder.solids());
-                powder.fromAir(air.U(), air.pressureGradient());
+                powder.fromAir(air.U(), air.nu(), air.pressureGradient());
             }
             else
             {

@@ -54,6 +54,10 @@ boundaryField
 names = [
     coupling("unknown drag law", "GidaspowHuilin", "GidaspowHulin", "found   GidaspowHulin",
              "KochHill", "Beetstra", "Did you mean GidaspowHuilin?", "key law"),
+    coupling("unknown choice for an effect", "drag  ", "effects { shearLift maybe; }\ndrag  ", "found   maybe",
+             "auto", "key shearLift"),
+    coupling("unknown effect", "drag  ", "effects { shearLfit on; }\ndrag  ",
+             "Did you mean shearLift?"),
     coupling("unknown deposit", "kernel", "kernal", "found   kernal", "centre",
              "Did you mean kernel?", "key deposit"),
     coupling("unknown mesh wall", "block {", "shoe {", "found   shoe", "block", "mesh wall"),

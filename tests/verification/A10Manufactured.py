@@ -27,7 +27,7 @@ step. So the air feels alpha_p grad(p) from them and nothing else, in all grad(p
 import math
 
 from harness.bench import main
-from harness.case import Box, Case, spaced
+from harness.case import Box, Case, fill, spaced
 from harness.laws import Air, Powder, schillerNaumann
 
 LENGTH = 1.0  # of the box [m]
@@ -156,15 +156,6 @@ class Made(Case):
         path = folder/"system/fvSchemes"
         assert SCHEME in path.read_text(), "another scheme than the template had"
         path.write_text(path.read_text().replace(SCHEME, SCHEME.replace("upwind", self.scheme)))
-
-
-def fill(path, kind, values):
-    """A field with these values in the cells."""
-    lines = path.read_text().splitlines()
-    end = next(i for i, line in enumerate(lines) if line.startswith("boundaryField"))
-    start = next(i for i, line in enumerate(lines) if line.startswith("internalField"))
-    inside = [f"internalField nonuniform List<{kind}>", str(len(values)), "("] + values + [");"]
-    path.write_text("\n".join(lines[:start] + inside + lines[end:]) + "\n")
 
 
 def made(name, flow, cells, flat, endTime, **options):

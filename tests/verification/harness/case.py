@@ -81,6 +81,7 @@ class Case:
         self.endTime = 1e-3
         self.writeInterval = None
         self.timeStep = ""
+        self.effects = ""
         self.pressureTolerance = 1e-12
         self.correctors = 1
         self.outer = 1
@@ -125,7 +126,8 @@ class Case:
             "adjustTimeStep": "on" if self.adjustTimeStep else "off",
             "slices": " ".join(str(ranks) if a == self.slices else "1" for a in AXES),
             "airGravity": spaced(self.airGravity), "law": self.lawName, "deposit": self.deposit,
-            "timeStep": self.timeStep, "compressibility": self.compressibility, "cells": " ".join(map(str, self.box.cells)),
+            "timeStep": self.timeStep, "effects": self.effects,
+            "compressibility": self.compressibility, "cells": " ".join(map(str, self.box.cells)),
             "U": spaced(self.U), "processors": self.processors}
         texts.update({key: format(value, ".15g") for key, value in numbers.items()})
         texts.update(self.boundaries())
@@ -188,6 +190,15 @@ class Case:
 
 def spaced(numbers):
     return " ".join(format(x, ".15g") for x in numbers)
+
+
+def fill(path, kind, values):
+    """Gives a field these values in the cells, as texts."""
+    lines = path.read_text().splitlines()
+    end = next(i for i, line in enumerate(lines) if line.startswith("boundaryField"))
+    start = next(i for i, line in enumerate(lines) if line.startswith("internalField"))
+    inside = [f"internalField nonuniform List<{kind}>", str(len(values)), "("] + values + [");"]
+    path.write_text("\n".join(lines[:start] + inside + lines[end:]) + "\n")
 
 
 class Run:

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/effects/EffectTable.hpp"
+
+#include "coupling/laws/InputError.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdio>
+
+namespace interstice
+{
+
+namespace
+{
+
+std::string line(const std::string& effect, const char* state, const char* by,
+    const std::string& number, const std::string& limit)
+{
+    char text[200];
+    std::snprintf(text, sizeof text, "    %-14s %-4s %-7s %9s %7s", effect.c_str(), state, by,
+        number.c_str(), limit.c_str());
+    return text;
+}
+
+std::string shown(double value)
+{
+    char text[24];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    return text;
+}
+
+} // namespace
+
+Effect::Wish EffectTable::wish(const std::string& word, const std::string& where)
+{
+    if (word == "auto")
+    {
+        return Effect::Wish::automatic;
+    }
+    if (word == "on")
+    {
+        return Effect::Wish::on;
+    }
+    if (word == "off")
+    {
+        return Effect::Wish::off;
+    }
+    throw unknownName("choice for an effect", word, {"auto", "on", "off"}, where);
+}
+
+void EffectTable::add(const Effect& effect)
+{
+    effects_.push_back(effect);
+    effects_.back().on = effect.wish == Effect::Wish::on;
+}
+
+std::size_t EffectTable::place(const std::string& key) const
+{
+    const auto found = std::find_if(
+        effects_.begin(), effects_.end(), [&key](const Effect& e) { return e.key == key; });
+    assert(found != effects_.end());
+    return static_cast<std::size_t>(found - effects_.begin());
+}
+
+std::string EffectTable::meet(const std::string& key, double value, double time)
+{
+    Effect& effect = effects_[place(key)];
+    const bool before = effect.askedFor();
+    effect.largest = std::max(effect.largest, value);
+    if (before || !effect.askedFor())
+    {
+        return {};
+    }
+    effect.since = time;
+    const std::string why = effect.number + " is " + shown(value) + ", above " + shown(effect.limit);
+    switch (effect.wish)
+    {
+    case Effect::Wish::automatic:
+        effect.on = true;
+        return effect.key + " is simulated from " + shown(time) + " s on: " + why + ".";
+    case Effect::Wish::off:
+        return effect.key + " is off, and would matter: " + why + ".";
+    case Effect::Wish::on:
+        break;
+    }
+    return {};
+}
+
+const char* EffectTable::decidedBy(const Effect& effect)
+{
+    return effect.wish == Effect::Wish::automatic ? "number" : "user";
+}
+
+std::string EffectTable::text() const
+{
+    std::string table = line("effect", "", "by", "number", "limit") + '\n';
+    for (const Effect& effect : effects_)
+    {
+        table += line(effect.key, effect.on ? "on" : "off", decidedBy(effect), shown(effect.largest),
+                     shown(effect.limit))
+            + "   " + effect.number + '\n';
+    }
+    return table;
+}
+
+} // namespace interstice

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace interstice
+{
+
+/// Something that a scene may call for, and the number by which it does.
+struct Effect
+{
+    enum class Wish
+    {
+        automatic, ///< by the number
+        on,
+        off
+    };
+
+    std::string key; ///< in the case
+    std::string number; ///< what decides, in words
+    double limit = 0; ///< up to it the effect may be left out
+    Wish wish = Wish::automatic;
+
+    double largest = 0; ///< of the number, so far
+    bool on = false;
+    double since = 0; ///< time from which on the number asked for it [s]
+
+    bool askedFor() const { return largest > limit; }
+};
+
+/// The effects of a run: which are simulated, by which number, and who decided. All member functions
+/// are local; to decide alike, all ranks must give the same values.
+class EffectTable
+{
+public:
+    /// The word of a case, on, off or auto. Throws InputError for another one, which names `where`
+    /// (file and key).
+    static Effect::Wish wish(const std::string& word, const std::string& where);
+
+    /// Adds an effect, which is on if that is the wish.
+    void add(const Effect& effect);
+
+    bool on(const std::string& key) const { return effects_[place(key)].on; }
+
+    /// The number as it is at a time [s]. Returns what the user is to be told, once: that the effect
+    /// is on from now, or that one which was switched off is called for. Else empty.
+    std::string meet(const std::string& key, double value, double time);
+
+    const std::vector<Effect>& effects() const { return effects_; }
+
+    /// Who decided: "number" or "user".
+    static const char* decidedBy(const Effect& effect);
+
+    /// A table for the screen, with a line an effect.
+    std::string text() const;
+
+private:
+    std::size_t place(const std::string& key) const;
+
+    std::vector<Effect> effects_;
+};
+
+} // namespace interstice

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/effects/EffectTable.hpp"
+#include "coupling/laws/InputError.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace interstice;
+
+namespace
+{
+
+EffectTable lift(Effect::Wish wish)
+{
+    Effect effect;
+    effect.key = "lift";
+    effect.number = "lift over drag";
+    effect.limit = 0.1;
+    effect.wish = wish;
+    EffectTable table;
+    table.add(effect);
+    return table;
+}
+
+} // namespace
+
+TEST(EffectTable, ANumberAboveItsLimitTurnsAnEffectOnForGood)
+{
+    EffectTable table = lift(Effect::Wish::automatic);
+    EXPECT_EQ(table.meet("lift", 0.1, 1.0), "");
+    EXPECT_FALSE(table.on("lift"));
+    EXPECT_EQ(table.meet("lift", 0.125, 2.0),
+        "lift is simulated from 2 s on: lift over drag is 0.12, above 0.1.");
+    EXPECT_TRUE(table.on("lift"));
+    EXPECT_EQ(table.meet("lift", 0.01, 3.0), "");
+    EXPECT_TRUE(table.on("lift"));
+    EXPECT_EQ(table.effects()[0].largest, 0.125);
+    EXPECT_EQ(table.effects()[0].since, 2.0);
+}
+
+TEST(EffectTable, AUserWhoIsWrongIsToldOnceAndObeyed)
+{
+    EffectTable table = lift(Effect::Wish::off);
+    EXPECT_EQ(table.meet("lift", 0.2, 1.0), "lift is off, and would matter: lift over drag is 0.2, above 0.1.");
+    EXPECT_EQ(table.meet("lift", 0.3, 2.0), "");
+    EXPECT_FALSE(table.on("lift"));
+}
+
+TEST(EffectTable, AUsersEffectIsOnFromTheStart)
+{
+    EffectTable table = lift(Effect::Wish::on);
+    EXPECT_TRUE(table.on("lift"));
+    EXPECT_EQ(table.meet("lift", 0.2, 1.0), "");
+}
+
+TEST(EffectTable, TellsWhoDecidedByWhichNumber)
+{
+    EffectTable table = lift(Effect::Wish::automatic);
+    table.meet("lift", 0.05, 0);
+    EXPECT_EQ(table.text(),
+        "    effect              by         number   limit\n"
+        "    lift           off  number       0.05     0.1   lift over drag\n");
+}
+
+TEST(EffectTable, KnowsThreeWords)
+{
+    EXPECT_EQ(EffectTable::wish("auto", ""), Effect::Wish::automatic);
+    EXPECT_EQ(EffectTable::wish("on", ""), Effect::Wish::on);
+    EXPECT_EQ(EffectTable::wish("off", ""), Effect::Wish::off);
+    EXPECT_THROW(EffectTable::wish("yes", ""), InputError);
+}
