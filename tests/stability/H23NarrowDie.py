@@ -19,9 +19,10 @@ and no ratio would tell, so its holes are measured, too. Then the die is full wh
 arrives. DF4 expects 95 % without air; runs scatter by a per cent, so that the number is shown and
 90 % judged.
 
-Both measures must find an arch where there is one. Powder poured at rest over a slot of two and a
-half parcels bridges it (openings below 3 to 5 diameters jam: To, Lai & Pak, Phys. Rev. Lett. 86
-(2001) 71): the hole. A filling table that stands still from half full on: the lull.
+Both measures must find an arch where there is one. Powder poured at rest over a slot of two parcels
+bridges it, in three packings of three; of two and a half, in two (openings below 3 to 5 diameters jam: To,
+Lai & Pak, Phys. Rev. Lett. 86 (2001) 71): the hole. A filling table that stands still from half full
+on: the lull.
 """
 import math
 import os
@@ -34,7 +35,7 @@ from A12DieFilling import Slice
 K, GRAIN, DENSITY = 10, 60e-6, 7360.0  # [m], [kg/m3]
 PARCEL = K*GRAIN
 LENGTH, DEPTH, WIDTH = 6e-3, 5e-3, 2.4e-3  # of the die [m]
-SLOT = 2.5*PARCEL
+SLOT = 2*PARCEL
 FULL, EXPECTED = 0.9, 0.95
 LULL = 3*math.sqrt(2*PARCEL/GRAVITY)  # [s]
 HOLE = 1.5  # of a parcel's diameter

@@ -11,7 +11,8 @@ namespace interstice
 
 using namespace Foam;
 
-void CoupledPowder::fromAir(const volVectorField& U, const volVectorField& pressureGradient)
+void CoupledPowder::fromAir(
+    const volVectorField& U, const volScalarField&, const volVectorField& pressureGradient)
 {
     std::vector<GasRecord> own(dem_->particles().count);
     exchange_->toOwners(
