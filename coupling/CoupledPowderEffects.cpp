@@ -20,6 +20,7 @@ namespace
 {
 
 const word shearLiftKey = "shearLift";
+constexpr double alone = 0.9; // void fraction above which the lift of a lone sphere is that of a grain
 constexpr int lookEvery = 20; // steps between two looks at an effect that is off
 
 } // namespace
@@ -62,15 +63,18 @@ void CoupledPowder::addEffects(
     }
 }
 
-// The largest at a parcel, for the coarsest grain.
+// The largest at a parcel outside of beds, for the coarsest grain.
 double CoupledPowder::shearNumber(const volVectorField& vorticity, const volScalarField& nu) const
 {
     const double grain = 2*dem_->maximumRadius()/coarseGraining_;
     double largest = 0;
     for (const int celli : onMesh_->cells())
     {
-        largest = max(
-            largest, saffmanShare(grain, density_, density_*nu[celli], mag(vorticity[celli])));
+        if (onMesh_->voidFraction()[celli] > alone)
+        {
+            largest = max(
+                largest, saffmanShare(grain, density_, density_*nu[celli], mag(vorticity[celli])));
+        }
     }
     return returnReduce(largest, maxOp<double>());
 }
@@ -78,14 +82,14 @@ double CoupledPowder::shearNumber(const volVectorField& vorticity, const volScal
 void CoupledPowder::liftInShear(const volVectorField& vorticity, const volScalarField& nu,
     std::vector<GasRecord>& own) const
 {
-    List<Packed<4>> cells(mesh_.nCells());
+    List<Packed<5>> cells(mesh_.nCells());
     forAll(cells, celli)
     {
         const vector& w = vorticity[celli];
-        cells[celli] = {w.x(), w.y(), w.z(), density_*nu[celli]};
+        cells[celli] = {w.x(), w.y(), w.z(), density_*nu[celli], onMesh_->voidFraction()[celli]};
     }
-    const std::vector<Packed<4>> handled = onMesh_->atParcels(std::move(cells));
-    std::vector<Packed<4>> air(own.size(), Packed<4>(Zero));
+    const std::vector<Packed<5>> handled = onMesh_->atParcels(std::move(cells));
+    std::vector<Packed<5>> air(own.size(), Packed<5>(Zero));
     exchange_->toOwners(handled, air);
 
     const ParticleView view = dem_->particles();
@@ -94,9 +98,9 @@ void CoupledPowder::liftInShear(const volVectorField& vorticity, const volScalar
     for (int i = 0; i < view.count; ++i)
     {
         GasRecord& gas = own[i];
-        if (!(gas.dragCoefficient > 0))
+        if (!(gas.dragCoefficient > 0 && air[i][4] > alone))
         {
-            continue; // in no cell, or inside a solid
+            continue; // in no cell, inside a solid, or in a bed
         }
         const double* v = view.velocity[i];
         const std::array<double, 3> lift = shearLift(

@@ -90,9 +90,9 @@ public:
     std::vector<GasRecord> gasAtParcels(const Foam::volVectorField& U,
         const Foam::volVectorField& pressureGradient, double interval) const;
 
-    /// Collective. Any four numbers of cells at the parcels, sampled by the adjoint of the deposit;
+    /// Collective. Any five numbers of cells at the parcels, sampled by the adjoint of the deposit;
     /// `cells` is nCells long, used up.
-    std::vector<Packed<4>> atParcels(Foam::List<Packed<4>>&& cells) const
+    std::vector<Packed<5>> atParcels(Foam::List<Packed<5>>&& cells) const
     {
         return transfer_.sample(std::move(cells));
     }
