@@ -20,7 +20,7 @@ namespace
 {
 
 const word shearLiftKey = "shearLift";
-constexpr double alone = 0.9; // void fraction above which the lift of a lone sphere is that of a grain
+constexpr double alone = 0.9; // void fraction above which a grain is lifted like a lone sphere
 constexpr int lookEvery = 20; // steps between two looks at an effect that is off
 
 } // namespace
