@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 import unittest
+from pathlib import Path
 
 sys.dont_write_bytecode = True
 
@@ -168,6 +169,16 @@ class TheSameRunTwice(ToyCase):
             thread.join()
         self.assertEqual(self.ran(), ["study.one"])
         self.assertEqual(json.loads((self.work/"one/result.json").read_text())["status"], "ok")
+
+
+class EachRun(ToyCase):
+    def testHasAPlaceForTemporariesOfItsOwn(self):
+        """In a common one Open MPI's programs, beginning and ending, take each other's folder away."""
+        self.study("vary: {mode: [plain]}\npackings: 3\n")
+        places = (self.case/"places").read_text().split()
+        self.assertEqual(len(set(places)), 3)
+        self.assertNotIn("none", places)
+        self.assertFalse(any(Path(place).exists() for place in places))
 
 
 class ABrokenCase(ToyCase):
