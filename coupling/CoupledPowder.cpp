@@ -5,6 +5,7 @@
 #include "coupling/TimeStepChoice.hpp"
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/forces/ParcelForces.hpp"
 #include "coupling/laws/TimeScales.hpp"
 
 #include "PstreamReduceOps.H"
@@ -63,6 +64,7 @@ void CoupledPowder::placeParcels(double interval)
     std::vector<SearchPoint> points(view.count);
     std::vector<ParcelRecord> own(view.count);
     const PeriodicBox& box = onMesh_->box();
+    const double added = forces_->addedDensity(density_);
     for (int i = 0; i < view.count; ++i)
     {
         const double* x = view.position[i];
@@ -71,8 +73,9 @@ void CoupledPowder::placeParcels(double interval)
         const MovingSolid::Seen then =
             solids_->outside(now + interval*vector(v[0], v[1], v[2]));
         points[i] = {toVec3(box.wrap(then.position)), toVec3(box.wrap(now))};
+        const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
         own[i] = {points[i].position, {v[0], v[1], v[2]}, dem_->impulse(i), 2*view.radius[i],
-            view.mass[i], then.presence, view.id[i]};
+            view.mass[i] + added*volume, then.presence, view.id[i]};
     }
 
     std::vector<ParcelRecord> handled;
@@ -173,7 +176,11 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
         StageClock::Scope exchanging(clock_, Stage::exchange);
         exchange_->toOwners(handled, own);
     }
-    addEffects(U, nu, own);
+    {
+        StageClock::Scope timed(clock_, Stage::deposit);
+        AirMotion air(U, nu, density_, *onMesh_, *exchange_, own.size());
+        forces_->act(air, *dem_, own, mesh_.time());
+    }
     StageClock::Scope timed(clock_, Stage::dem);
     for (std::size_t i = 0; i < own.size(); ++i)
     {
@@ -236,6 +243,11 @@ CoupledPowder::Traffic CoupledPowder::traffic() const
     const double particles = max(double(state_.total), 1.0);
     const double steps = max(double(mine.plans), 1.0);
     return {bytes/particles/steps, messages/Pstream::nProcs()/steps, guests/particles};
+}
+
+const EffectTable& CoupledPowder::effects() const
+{
+    return forces_->table();
 }
 
 const std::string& CoupledPowder::bindingLimit() const

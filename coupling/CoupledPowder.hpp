@@ -15,6 +15,7 @@ namespace interstice
 
 struct Checkpoint;
 class DemEngine;
+class ParcelForces;
 class ParticleExchange;
 class TimeStepChoice;
 
@@ -71,7 +72,7 @@ public:
     PowderOnMesh& onMesh() { return *onMesh_; }
     const SolidsOnMesh& solids() const { return *solids_; }
     const PowderState& state() const { return state_; }
-    const EffectTable& effects() const { return effects_; }
+    const EffectTable& effects() const;
     const std::string& bindingLimit() const; ///< which limit set the time step
     long demSteps() const; ///< in this time step
     double demTimeStep() const; ///< [s]
@@ -105,12 +106,6 @@ private:
     void resume(const Checkpoint& before);
     Checkpoint record() const;
     void readSolids(const Foam::dictionary& dict);
-    void readEffects(const Foam::dictionary& dict);
-    void addEffects(const Foam::volVectorField& U, const Foam::volScalarField& nu,
-        std::vector<GasRecord>& own);
-    double shearNumber(const Foam::volVectorField& vorticity, const Foam::volScalarField& nu) const;
-    void liftInShear(const Foam::volVectorField& vorticity, const Foam::volScalarField& nu,
-        std::vector<GasRecord>& own) const;
     void checkScene() const;
     void checkSmoothing(double width, const std::string& where) const;
     void checkPowderInMesh() const;
@@ -141,7 +136,7 @@ private:
     std::vector<std::string> solidWalls_; // LIGGGHTS fix of each solid
     std::unique_ptr<ParticleExchange> exchange_;
     std::unique_ptr<TimeStepChoice> timeStep_;
-    EffectTable effects_;
+    std::unique_ptr<ParcelForces> forces_;
     PowderState state_;
 };
 

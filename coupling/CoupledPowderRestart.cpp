@@ -3,6 +3,7 @@
 #include "coupling/Checkpoint.hpp"
 #include "coupling/CoupledPowder.hpp"
 #include "coupling/TimeStepChoice.hpp"
+#include "coupling/forces/ParcelForces.hpp"
 #include "coupling/laws/InputError.hpp"
 
 #include "OSspecific.H"
@@ -44,7 +45,7 @@ Checkpoint CoupledPowder::record() const
     c.timeIndex = clock.timeIndex();
     c.response = response_;
     c.lag = lag_;
-    for (const Effect& effect : effects_.effects())
+    for (const Effect& effect : effects().effects())
     {
         c.effects[effect.key] = effect.largest;
     }
@@ -98,10 +99,7 @@ void CoupledPowder::resume(const Checkpoint& before)
     resumed_ = true;
     response_ = before.response;
     lag_ = before.lag;
-    for (const auto& [key, largest] : before.effects)
-    {
-        effects_.meet(key, largest, before.time);
-    }
+    forces_->resume(before.effects, before.time);
     state_.initialMass = before.initialMass;
     state_.lost = before.lost;
     Time& clock = const_cast<Time&>(mesh_.time());

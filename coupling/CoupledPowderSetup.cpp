@@ -6,6 +6,7 @@
 #include "coupling/TimeStepChoice.hpp"
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/forces/ParcelForces.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
@@ -85,7 +86,9 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
         openDem(powder, before ? &*before : nullptr);
     }
     readSolids(p.sub("solids"));
-    readEffects(p.sub("effects"));
+    forces_ = std::make_unique<ParcelForces>(
+        p.sub("effects"), coarseGraining_, Parameters(powder).where("coarseGraining"));
+    forces_->start(density_, *dem_, mesh_.time().value());
     p.allGroupsKnown();
     checkScene();
     checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),

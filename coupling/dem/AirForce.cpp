@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/dem/AirForce.hpp"
 
+#include "coupling/dem/ParticleRows.hpp"
 #include "coupling/laws/ImplicitDrag.hpp"
-
-#include <lammps.h>
 
 #include <atom.h>
 #include <fix_external.h>
-#include <fix_property_atom.h>
-#include <input.h>
-#include <modify.h>
 #include <update.h>
 
 #include <algorithm>
@@ -24,6 +20,7 @@ namespace
 
 const char* const airId = "interstice_air";
 const char* const keptId = "interstice_kept";
+const char* const fluidId = "interstice_added_mass";
 const char* const forceId = "interstice_force";
 
 /// Columns of a particle's row.
@@ -33,24 +30,47 @@ enum Column
     dragCoefficient = 3, // b
     gasForce = 4,        // 3
     dragImpulse = 7,     // 3
-    slipWeight = 10,     // b phi(x) over a whole step, x = b dt/m
+    slipWeight = 10,     // b phi(x) over a whole step, x = b dt/m, or b dt/(m + m_a)
     restWeight = 11,     // phi(x) - 1
     startImpulse = 12,   // 3, where dragImpulse began
     columns = 15
 };
 
-/// Numbers that travel with particles, and are kept in restart files.
-LAMMPS_NS::FixPropertyAtom* defineRows(
-    LAMMPS_NS::LAMMPS& liggghts, const char* id, int count)
+/// Columns of a particle that takes fluid along.
+enum FluidColumn
 {
-    std::string text = std::string("fix ") + id + " all property/atom " + id + " vector yes no no";
-    for (int column = 0; column < count; ++column)
+    addedMass = 0, // m_a
+    ownShare = 1,  // m/(m + m_a)
+    fluidColumns = 2
+};
+
+/// Particles by themselves.
+struct Alone
+{
+    double inertia(int, double mass) const { return mass; }
+
+    /// What LIGGGHTS is to be given besides the other forces.
+    double force(int, double drag, double gas, double) const { return drag + gas; }
+
+    /// What of it the air must give up besides `gas`.
+    double owed(double drag, double, double) const { return drag; }
+};
+
+/// Particles with fluid that they take along: (m + m_a) dv/dt is the sum R of all forces but the one for that fluid.
+/// LIGGGHTS divides by m, so that it must be given R m/(m + m_a).
+struct WithFluid
+{
+    double** rows;
+
+    double inertia(int i, double mass) const { return mass + rows[i][addedMass]; }
+
+    double force(int i, double drag, double gas, double others) const
     {
-        text += " 0.0";
+        return rows[i][ownShare]*(others + gas + drag) - others;
     }
-    liggghts.input->one(text.c_str());
-    return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts.modify->find_fix_id(id));
-}
+
+    double owed(double, double force, double gas) const { return force - gas; }
+};
 
 } // namespace
 
@@ -70,7 +90,7 @@ void AirForce::keepForces()
         for (int k = 0; k < 3; ++k)
         {
             row[k] = atom.f[i][k] - force_->fexternal[i][k];
-            row[3 + k] = atom.torque[i][k];
+            row[3 + k] = atom.torque[i][k] - (spin_ ? spin_->applied(i)[k] : 0);
         }
     }
 }
@@ -141,7 +161,47 @@ AirAction AirForce::action(int slot) const
     return action;
 }
 
+void AirForce::useAddedMass()
+{
+    fluid_ = defineRows(liggghts_, fluidId, fluidColumns);
+}
+
+void AirForce::setAddedMass(int slot, double mass)
+{
+    fluid_->array_atom[slot][addedMass] = mass;
+}
+
+void AirForce::useSpinDrag()
+{
+    spin_ = std::make_unique<AirSpin>(liggghts_);
+}
+
 void AirForce::begin(long long lastStep)
+{
+    if (fluid_)
+    {
+        const LAMMPS_NS::Atom& atom = *liggghts_.atom;
+        for (int i = 0; i < atom.nlocal; ++i)
+        {
+            double* fluid = fluid_->array_atom[i];
+            fluid[ownShare] = atom.rmass[i]/(atom.rmass[i] + fluid[addedMass]);
+        }
+        begin(WithFluid{fluid_->array_atom});
+    }
+    else
+    {
+        begin(Alone{});
+    }
+    if (spin_)
+    {
+        spin_->begin();
+    }
+    lastStep_ = lastStep;
+    blowing_ = true;
+}
+
+template<class Body>
+void AirForce::begin(const Body& body)
 {
     const LAMMPS_NS::Atom& atom = *liggghts_.atom;
     const double dt = liggghts_.update->dt;
@@ -151,27 +211,27 @@ void AirForce::begin(long long lastStep)
         double* air = air_->array_atom[i];
         double* applied = force_->fexternal[i];
         const double b = air[dragCoefficient];
+        const double inertia = body.inertia(i, atom.rmass[i]);
 
         // Fixed for the interval, so the exponentials are paid once.
-        const double whole = meanSlip(b*dt/atom.rmass[i]);
+        const double whole = meanSlip(b*dt/inertia);
         air[slipWeight] = b*whole;
         air[restWeight] = whole - 1;
 
         // LIGGGHTS still holds the last force of the interval before. Its second half step is
         // now taken in the new air.
-        const ImplicitDrag opening(b, atom.rmass[i], 0.5*dt);
+        const ImplicitDrag opening(b, inertia, 0.5*dt);
         for (int k = 0; k < 3; ++k)
         {
-            const double others = atom.f[i][k] - applied[k] + air[gasForce + k];
-            const double drag = opening.force(air[gasVelocity + k] - atom.v[i][k], others);
-            const double force = drag + air[gasForce + k];
-            air[dragImpulse + k] += 0.5*dt*drag;
+            const double others = atom.f[i][k] - applied[k];
+            const double gas = air[gasForce + k];
+            const double drag = opening.force(air[gasVelocity + k] - atom.v[i][k], others + gas);
+            const double force = body.force(i, drag, gas, others);
+            air[dragImpulse + k] += 0.5*dt*body.owed(drag, force, gas);
             atom.f[i][k] += force - applied[k];
             applied[k] = force;
         }
     }
-    lastStep_ = lastStep;
-    blowing_ = true;
 }
 
 void AirForce::end()
@@ -188,19 +248,41 @@ void AirForce::act(long long step, double** external)
         {
             std::fill_n(external[i], 3, 0.0);
         }
+        if (spin_)
+        {
+            spin_->forget();
+        }
     }
-    else if (step < lastStep_)
+    else if (fluid_)
     {
-        actOverWholeStep(external);
+        act(step, external, WithFluid{fluid_->array_atom});
     }
     else
     {
-        actOverClosingHalf(external);
+        act(step, external, Alone{});
     }
     hold(external);
 }
 
-void AirForce::actOverWholeStep(double** external)
+template<class Body>
+void AirForce::act(long long step, double** external, const Body& body)
+{
+    if (step < lastStep_)
+    {
+        actOverWholeStep(external, body);
+    }
+    else
+    {
+        actOverClosingHalf(external, body);
+    }
+    if (spin_)
+    {
+        spin_->act(step < lastStep_);
+    }
+}
+
+template<class Body>
+void AirForce::actOverWholeStep(double** external, const Body& body)
 {
     const int count = liggghts_.atom->nlocal;
     const double* const* velocity = liggghts_.atom->v;
@@ -216,14 +298,17 @@ void AirForce::actOverWholeStep(double** external)
         for (int k = 0; k < 3; ++k)
         {
             const double slip = air[gasVelocity + k] - velocity[i][k];
-            const double drag = onSlip*slip + onRest*(others[i][k] + air[gasForce + k]);
-            air[dragImpulse + k] += dt*drag;
-            external[i][k] = drag + air[gasForce + k];
+            const double gas = air[gasForce + k];
+            const double drag = onSlip*slip + onRest*(others[i][k] + gas);
+            const double force = body.force(i, drag, gas, others[i][k]);
+            air[dragImpulse + k] += dt*body.owed(drag, force, gas);
+            external[i][k] = force;
         }
     }
 }
 
-void AirForce::actOverClosingHalf(double** external)
+template<class Body>
+void AirForce::actOverClosingHalf(double** external, const Body& body)
 {
     const LAMMPS_NS::Atom& atom = *liggghts_.atom;
     const double dt = liggghts_.update->dt;
@@ -231,13 +316,15 @@ void AirForce::actOverClosingHalf(double** external)
     for (int i = 0; i < atom.nlocal; ++i)
     {
         double* air = air_->array_atom[i];
-        const ImplicitDrag closing(air[dragCoefficient], atom.rmass[i], 0.5*dt);
+        const ImplicitDrag closing(air[dragCoefficient], body.inertia(i, atom.rmass[i]), 0.5*dt);
         for (int k = 0; k < 3; ++k)
         {
-            const double others = atom.f[i][k] + air[gasForce + k];
-            const double drag = closing.force(air[gasVelocity + k] - atom.v[i][k], others);
-            air[dragImpulse + k] += 0.5*dt*drag;
-            external[i][k] = drag + air[gasForce + k];
+            const double gas = air[gasForce + k];
+            const double drag =
+                closing.force(air[gasVelocity + k] - atom.v[i][k], atom.f[i][k] + gas);
+            const double force = body.force(i, drag, gas, atom.f[i][k]);
+            air[dragImpulse + k] += 0.5*dt*body.owed(drag, force, gas);
+            external[i][k] = force;
         }
     }
 }

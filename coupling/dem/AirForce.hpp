@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/dem/AirSpin.hpp"
 #include "coupling/dem/DemEngine.hpp"
 
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS
@@ -44,6 +46,15 @@ public:
     Vector3 impulse(int slot) const;
     AirAction action(int slot) const;
 
+    /// From now on particles may take fluid along. Collective, once.
+    void useAddedMass();
+    bool usesAddedMass() const { return fluid_ != nullptr; }
+    void setAddedMass(int slot, double mass); ///< local
+
+    /// From now on the air may slow spins. Collective, once.
+    void useSpinDrag();
+    AirSpin* spin() { return spin_.get(); } ///< none before useSpinDrag(); local
+
     /// Starts an interval that ends with LIGGGHTS' step number `lastStep`: puts the half step
     /// that comes before the first new force into the forces that LIGGGHTS holds. Local.
     void begin(long long lastStep);
@@ -59,16 +70,24 @@ public:
 
 private:
     void defineForce();
+    template<class Body>
+    void begin(const Body& body);
     void act(long long step, double** external);
-    void actOverWholeStep(double** external);
-    void actOverClosingHalf(double** external);
+    template<class Body>
+    void act(long long step, double** external, const Body& body);
+    template<class Body>
+    void actOverWholeStep(double** external, const Body& body);
+    template<class Body>
+    void actOverClosingHalf(double** external, const Body& body);
     void hold(double** external);
     void describe(int slot, const double* external);
 
     LAMMPS_NS::LAMMPS& liggghts_;
     LAMMPS_NS::FixPropertyAtom* air_ = nullptr;
     LAMMPS_NS::FixPropertyAtom* kept_ = nullptr; ///< forces and torques
+    LAMMPS_NS::FixPropertyAtom* fluid_ = nullptr; ///< that particles take along; only if they may
     LAMMPS_NS::FixExternal* force_ = nullptr;
+    std::unique_ptr<AirSpin> spin_; ///< only if the air may slow spins
     bool blowing_ = false;
     long long lastStep_ = 0;
     std::string held_;

@@ -82,7 +82,7 @@ void DemEngine::prepare()
 ParticleView DemEngine::particles() const
 {
     const LAMMPS_NS::Atom& atom = implementation_->atom();
-    return {atom.nlocal, atom.x, atom.v, atom.radius, atom.rmass, atom.tag, atom.type};
+    return {atom.nlocal, atom.x, atom.v, atom.omega, atom.radius, atom.rmass, atom.tag, atom.type};
 }
 
 long long DemEngine::particleCount() const
@@ -139,6 +139,32 @@ std::vector<bool> DemEngine::particleTypes() const
 void DemEngine::setGas(int slot, const GasState& gas, const Vector3& startImpulse)
 {
     implementation_->air->setGas(slot, gas, startImpulse);
+}
+
+void DemEngine::useAddedMass()
+{
+    if (!implementation_->air->usesAddedMass())
+    {
+        implementation_->air->useAddedMass();
+    }
+}
+
+void DemEngine::setAddedMass(int slot, double mass)
+{
+    implementation_->air->setAddedMass(slot, mass);
+}
+
+void DemEngine::useSpinDrag()
+{
+    if (!implementation_->air->spin())
+    {
+        implementation_->air->useSpinDrag();
+    }
+}
+
+void DemEngine::setSpinDrag(int slot, const Vector3& spin, double coefficient)
+{
+    implementation_->air->spin()->set(slot, spin, coefficient);
 }
 
 Vector3 DemEngine::impulse(int slot) const

@@ -40,6 +40,7 @@ struct ParticleView
     int count = 0;
     const double* const* position = nullptr; ///< [m]
     const double* const* velocity = nullptr; ///< [m/s]
+    const double* const* spin = nullptr;     ///< [rad/s]
     const double* radius = nullptr;          ///< [m], of the parcel
     const double* mass = nullptr;            ///< [kg], of the parcel
     const int* id = nullptr;                 ///< unique in the world, kept for life
@@ -172,6 +173,17 @@ public:
     /// Gives particle `slot` (index into particles()) its air for the coming interval and
     /// sets its drag impulse to a starting value [N s]. Local.
     void setGas(int slot, const GasState& gas, const Vector3& startImpulse = {});
+
+    /// Mass of fluid that particle `slot` takes along in the coming interval [kg], as if it were its own but for
+    /// gravity and other forces: (m + m_a) dv/dt is the sum of all forces that the particle is given. The force that
+    /// this takes counts with the drag's impulse. First useAddedMass(), which is collective; then local.
+    void useAddedMass();
+    void setAddedMass(int slot, double mass);
+
+    /// Torque c (w_air - w) on particle `slot` in the coming interval, w its spin: by the exact solution, like
+    /// drag. `spin` w_air [rad/s], `coefficient` c [N m s]. First useSpinDrag(), which is collective; then local.
+    void useSpinDrag();
+    void setSpinDrag(int slot, const Vector3& spin, double coefficient);
 
     /// The starting value plus the momentum [N s] that drag really gave particle `slot` since
     /// setGas(): exactly, m (v1 - v0) = drag impulse + time * gas.force + what gravity,

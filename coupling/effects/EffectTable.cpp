@@ -4,7 +4,6 @@
 #include "coupling/laws/InputError.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cstdio>
 
 namespace interstice
@@ -48,23 +47,16 @@ Effect::Wish EffectTable::wish(const std::string& word, const std::string& where
     throw unknownName("choice for an effect", word, {"auto", "on", "off"}, where);
 }
 
-void EffectTable::add(const Effect& effect)
+std::size_t EffectTable::add(const Effect& effect)
 {
     effects_.push_back(effect);
     effects_.back().on = effect.wish == Effect::Wish::on;
+    return effects_.size() - 1;
 }
 
-std::size_t EffectTable::place(const std::string& key) const
+std::string EffectTable::meet(std::size_t place, double value, double time)
 {
-    const auto found = std::find_if(
-        effects_.begin(), effects_.end(), [&key](const Effect& e) { return e.key == key; });
-    assert(found != effects_.end());
-    return static_cast<std::size_t>(found - effects_.begin());
-}
-
-std::string EffectTable::meet(const std::string& key, double value, double time)
-{
-    Effect& effect = effects_[place(key)];
+    Effect& effect = effects_[place];
     const bool before = effect.askedFor();
     effect.largest = std::max(effect.largest, value);
     if (before || !effect.askedFor())

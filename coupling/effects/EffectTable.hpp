@@ -38,14 +38,14 @@ public:
     /// (file and key).
     static Effect::Wish wish(const std::string& word, const std::string& where);
 
-    /// Adds an effect, which is on if that is the wish.
-    void add(const Effect& effect);
+    /// Adds an effect, which is on if that is the wish. Returns its place in the table.
+    std::size_t add(const Effect& effect);
 
-    bool on(const std::string& key) const { return effects_[place(key)].on; }
+    bool on(std::size_t place) const { return effects_[place].on; }
 
     /// The number as it is at a time [s]. Returns what the user is to be told, once: that the effect
     /// is on from now, or that one which was switched off is called for. Else empty.
-    std::string meet(const std::string& key, double value, double time);
+    std::string meet(std::size_t place, double value, double time);
 
     const std::vector<Effect>& effects() const { return effects_; }
 
@@ -56,8 +56,6 @@ public:
     std::string text() const;
 
 private:
-    std::size_t place(const std::string& key) const;
-
     std::vector<Effect> effects_;
 };
 

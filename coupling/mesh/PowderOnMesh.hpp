@@ -18,7 +18,7 @@ struct ParcelRecord
     Vec3 velocity; ///< at its start [m/s]
     Vec3 carry; ///< momentum that drag gave it beyond what the air lost so far [N s]
     double diameter; ///< [m]
-    double mass; ///< [kg]
+    double mass; ///< with that of fluid which goes along [kg]
     double presence; ///< share that the air sees, 1 outside of solids
     int id;
 };

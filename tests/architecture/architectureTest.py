@@ -15,6 +15,7 @@ ARROWS = {
     "coupling/dem": ["coupling/laws"],
     "coupling/mesh": ["coupling/laws", "coupling/exchange"],
     "coupling/effects": ["coupling/laws"],
+    "coupling/forces": ["coupling/laws", "coupling/effects", "coupling/exchange", "coupling/dem", "coupling/mesh"],
     "coupling/report": ["coupling/laws"],
 }
 # Engines a room must not see: the headers' own style gives them away.
@@ -24,6 +25,7 @@ FOREIGN = {
     "coupling/dem": r'.*\.H$',
     "coupling/mesh": r'lammps|fix_.*\.h$',
     "coupling/effects": r'mpi\.h|lammps|.*\.H$',
+    "coupling/forces": r'lammps|fix_.*\.h$',
     "coupling/report": r'lammps|.*\.H$',
 }
 LONGEST = 400

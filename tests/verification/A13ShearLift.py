@@ -59,17 +59,18 @@ class Sheared(Case):
             path.write_text(re.sub(patch + r" \{ type noSlip; \}", f"{patch} {{ {wall} }}", path.read_text()))
 
 
-def falling(name, powder, rate, effects):
+def falling(name, powder, rate, effects, **options):
     length, edge = 0.05, 0.01
     response = powder.density*powder.diameter**2/(18*powder.air.viscosity)
     deltaT = response/20
     return Sheared(name, Box((length, edge, edge), (5, 1, 1), ("noSlip", "periodic", "periodic")),
                    powder, lambda x: rate*(x - length/2), positions=[(length/2, edge/2, edge/2)],
                    gravity=(0, 0, -GRAVITY), effects=effects,
-                   deltaT=deltaT, subSteps=4, endTime=200*deltaT)
+                   **{"deltaT": deltaT, "subSteps": 4, "endTime": 200*deltaT, **options})
 
 
 def sideways(run):
+    """Velocity of the grain along x."""
     mass = math.pi/6*run.case.diameter**3*run.case.powder.density
     return run.budget()[-1][2][0]/mass
 
@@ -96,12 +97,12 @@ def judgeChoice(bench):
         bench.equal(run, "told to be simulated", share > LIMIT, "shearLift is simulated" in run.log, 0)
 
 
-def judgeMomentum(bench):
+def judgeMomentum(bench, effects, **options):
     """Of a periodic box, along x, in which no other force has a part."""
     edge = 8e-3
     powder = Powder(40e-6, 7360.0, law=stokes)
     wave = Sheared("momentum", Box((edge, edge, edge), (8, 8, 8)), powder,
-                   lambda x: math.sin(2*math.pi*x/edge), gravity=(0, 0, -GRAVITY), effects="shearLift on;",
+                   lambda x: math.sin(2*math.pi*x/edge), gravity=(0, 0, -GRAVITY), effects=effects, **options,
                    positions=[(edge/2 + 0.3e-3*i, edge/2, edge/2 + 1e-3*i) for i in range(3)],
                    deltaT=1e-4, subSteps=4, endTime=2e-3)
     run = bench.run(wave, impulse=math.inf)
@@ -114,7 +115,7 @@ def verify(bench):
     if bench.ranks == 1:
         judgeDrift(bench)
     judgeChoice(bench)
-    judgeMomentum(bench)
+    judgeMomentum(bench, "shearLift on;")
 
 
 if __name__ == "__main__":

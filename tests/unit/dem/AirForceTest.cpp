@@ -125,6 +125,55 @@ TEST(AirForce, WithoutDragGivesTheSteadyForceAlone)
     }
 }
 
+// (m + m_a) dv/dt = b (u - v) + F, on the whole and in what the air must give up: m v - F t.
+TEST(AirForce, MovesParticlesWithFluidThatTheyTakeAlong)
+{
+    const double added = 9*mass;
+    for (const double stiffness : {1e-9, 0.1, 30.0})
+    {
+        for (const long steps : {1L, 7L})
+        {
+            const auto dem = cloud({{"gravity", "9.81"}});
+            const double b = stiffness*(mass + added)/dt;
+            const double push = 2e-3*mass/dt;
+            const GasState gas{{2, 0, 0}, b, {0, push, 0}};
+            dem->useAddedMass();
+            for (const long interval : {steps, 3L})
+            {
+                blowOnAll(*dem, gas);
+                for (int i = 0; i < dem->particles().count; ++i)
+                {
+                    dem->setAddedMass(i, added);
+                }
+                dem->advance(interval);
+            }
+
+            const double reached = -std::expm1(-stiffness*static_cast<double>(steps + 3));
+            const ParticleView here = dem->particles();
+            for (int i = 0; i < here.count; ++i)
+            {
+                EXPECT_NEAR(here.velocity[i][0], 2*reached, 1e-13*reached);
+                EXPECT_NEAR(here.velocity[i][1], push/b*reached, 1e-13*push/b*reached);
+                EXPECT_NEAR(here.velocity[i][2], -9.81*mass/b*reached, 1e-13*9.81*mass/b*reached);
+            }
+        }
+    }
+}
+
+TEST(AirForce, AccountsForTheMomentumOfFluidThatIsTakenAlong)
+{
+    const auto dem = cloud({{"gravity", "9.81"}});
+    dem->useAddedMass();
+    const auto before = everyGrain(*dem);
+    blow(*dem);
+    for (int i = 0; i < dem->particles().count; ++i)
+    {
+        dem->setAddedMass(i, mass*dem->particles().id[i]);
+    }
+    dem->advance(11);
+    expectMomentumExplained(*dem, before, 11*dt, 9.81);
+}
+
 // Newton's third law needs the impulse that was really given, to the last digit.
 TEST(AirForce, AccountsForAllMomentumThatDragGives)
 {

@@ -26,13 +26,13 @@ EffectTable lift(Effect::Wish wish)
 TEST(EffectTable, ANumberAboveItsLimitTurnsAnEffectOnForGood)
 {
     EffectTable table = lift(Effect::Wish::automatic);
-    EXPECT_EQ(table.meet("lift", 0.1, 1.0), "");
-    EXPECT_FALSE(table.on("lift"));
-    EXPECT_EQ(table.meet("lift", 0.125, 2.0),
+    EXPECT_EQ(table.meet(0, 0.1, 1.0), "");
+    EXPECT_FALSE(table.on(0));
+    EXPECT_EQ(table.meet(0, 0.125, 2.0),
         "lift is simulated from 2 s on: lift over drag is 0.12, above 0.1.");
-    EXPECT_TRUE(table.on("lift"));
-    EXPECT_EQ(table.meet("lift", 0.01, 3.0), "");
-    EXPECT_TRUE(table.on("lift"));
+    EXPECT_TRUE(table.on(0));
+    EXPECT_EQ(table.meet(0, 0.01, 3.0), "");
+    EXPECT_TRUE(table.on(0));
     EXPECT_EQ(table.effects()[0].largest, 0.125);
     EXPECT_EQ(table.effects()[0].since, 2.0);
 }
@@ -40,22 +40,22 @@ TEST(EffectTable, ANumberAboveItsLimitTurnsAnEffectOnForGood)
 TEST(EffectTable, AUserWhoIsWrongIsToldOnceAndObeyed)
 {
     EffectTable table = lift(Effect::Wish::off);
-    EXPECT_EQ(table.meet("lift", 0.2, 1.0), "lift is off, and would matter: lift over drag is 0.2, above 0.1.");
-    EXPECT_EQ(table.meet("lift", 0.3, 2.0), "");
-    EXPECT_FALSE(table.on("lift"));
+    EXPECT_EQ(table.meet(0, 0.2, 1.0), "lift is off, and would matter: lift over drag is 0.2, above 0.1.");
+    EXPECT_EQ(table.meet(0, 0.3, 2.0), "");
+    EXPECT_FALSE(table.on(0));
 }
 
 TEST(EffectTable, AUsersEffectIsOnFromTheStart)
 {
     EffectTable table = lift(Effect::Wish::on);
-    EXPECT_TRUE(table.on("lift"));
-    EXPECT_EQ(table.meet("lift", 0.2, 1.0), "");
+    EXPECT_TRUE(table.on(0));
+    EXPECT_EQ(table.meet(0, 0.2, 1.0), "");
 }
 
 TEST(EffectTable, TellsWhoDecidedByWhichNumber)
 {
     EffectTable table = lift(Effect::Wish::automatic);
-    table.meet("lift", 0.05, 0);
+    table.meet(0, 0.05, 0);
     EXPECT_EQ(table.text(),
         "    effect              by         number   limit\n"
         "    lift           off  number       0.05     0.1   lift over drag\n");

@@ -64,6 +64,7 @@ class Case:
         self.powder = powder or Powder()
         self.positions = []
         self.velocity = (0.0, 0.0, 0.0)  # of the grains, or a function of a grain's position
+        self.spin = (0.0, 0.0, 0.0)  # of the grains [rad/s]
         self.motion = "free"  # or frozen; prescribed: each keeps its velocity; or tied: one rigid
         # body that moves along z
         self.k = 1
@@ -182,9 +183,9 @@ class Case:
                   for i, x in enumerate(self.positions, 1)]
         velocities = [self.velocity(x) if callable(self.velocity) else self.velocity
                       for x in self.positions]
-        if any(map(any, velocities)):
+        if any(map(any, velocities)) or any(self.spin):
             lines += ["", "Velocities", ""]
-            lines += [f"{i} {spaced(v)} 0 0 0" for i, v in enumerate(velocities, 1)]
+            lines += [f"{i} {spaced(v)} {spaced(self.spin)}" for i, v in enumerate(velocities, 1)]
         return "\n".join(lines) + "\n"
 
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <lammps.h>
+
+#include <fix_property_atom.h>
+#include <input.h>
+#include <modify.h>
+
+#include <string>
+
+namespace interstice::dem
+{
+
+/// Numbers beside each particle, zero at first: LIGGGHTS sorts them and sends them along with the particles, and
+/// restart files keep them. `count` is at least 2. Collective.
+inline LAMMPS_NS::FixPropertyAtom* defineRows(LAMMPS_NS::LAMMPS& liggghts, const char* id, int count)
+{
+    std::string text = std::string("fix ") + id + " all property/atom " + id + " vector yes no no";
+    for (int column = 0; column < count; ++column)
+    {
+        text += " 0.0";
+    }
+    liggghts.input->one(text.c_str());
+    return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts.modify->find_fix_id(id));
+}
+
+} // namespace interstice::dem

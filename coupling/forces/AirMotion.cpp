@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/forces/AirMotion.hpp"
+
+#include "fvc.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+AirMotion::AirMotion(const volVectorField& U, const volScalarField& viscosity, double rho,
+    const PowderOnMesh& powder, const ParticleExchange& exchange, std::size_t parcels)
+:
+    density(rho),
+    nu(viscosity),
+    onMesh(powder),
+    interval(U.time().deltaTValue()),
+    U_(U),
+    exchange_(exchange),
+    parcels_(parcels)
+{}
+
+const volVectorField& AirMotion::vorticity()
+{
+    if (!vorticity_)
+    {
+        vorticity_.emplace(fvc::curl(U_));
+    }
+    return *vorticity_;
+}
+
+double AirMotion::largestViscousForce() const
+{
+    const volVectorField slowed(fvc::laplacian(nu, U_, "laplacian((voidFraction*nuEff),U)"));
+    double largest = 0;
+    for (const int celli : onMesh.cells())
+    {
+        largest = max(largest, density*mag(slowed[celli]));
+    }
+    return returnReduce(largest, maxOp<double>());
+}
+
+std::vector<Packed<5>> AirMotion::atParcels(List<Packed<5>>&& cells) const
+{
+    std::vector<Packed<5>> own(parcels_, Packed<5>(Zero));
+    exchange_.toOwners(onMesh.atParcels(std::move(cells)), own);
+    return own;
+}
+
+const std::vector<AirMotion::Around>& AirMotion::around()
+{
+    if (!around_)
+    {
+        const volVectorField& curl = vorticity();
+        List<Packed<5>> cells(curl.size());
+        forAll(cells, celli)
+        {
+            const vector& w = curl[celli];
+            cells[celli] = {w.x(), w.y(), w.z(), density*nu[celli], onMesh.voidFraction()[celli]};
+        }
+        around_.emplace();
+        around_->reserve(parcels_);
+        for (const Packed<5>& air : atParcels(std::move(cells)))
+        {
+            around_->push_back({vector(air[0], air[1], air[2]), air[3], air[4]});
+        }
+    }
+    return *around_;
+}
+
+const std::vector<vector>& AirMotion::acceleration()
+{
+    if (!acceleration_)
+    {
+        const volVectorField rate(fvc::ddt(U_) + (U_ & fvc::grad(U_)));
+        List<Packed<5>> cells(rate.size());
+        forAll(cells, celli)
+        {
+            const vector& a = rate[celli];
+            cells[celli] = {a.x(), a.y(), a.z(), 0, 0};
+        }
+        acceleration_.emplace();
+        acceleration_->reserve(parcels_);
+        for (const Packed<5>& air : atParcels(std::move(cells)))
+        {
+            acceleration_->push_back(vector(air[0], air[1], air[2]));
+        }
+    }
+    return *acceleration_;
+}
+
+} // namespace interstice

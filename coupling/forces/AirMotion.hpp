@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/exchange/ParticleExchange.hpp"
+#include "coupling/mesh/PowderOnMesh.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace interstice
+{
+
+/// How the air moves in a step: fields, and their values at the parcels of this rank, each made when it is
+/// first asked for. All but the plain members are collective.
+class AirMotion
+{
+public:
+    /// Air at a parcel; all zero at one that no cell holds.
+    struct Around
+    {
+        Foam::vector vorticity; ///< curl u [1/s]
+        double viscosity; ///< dynamic [Pa s]
+        double voidFraction;
+    };
+
+    /// `parcels`: how many this rank owns. `density` [kg/m3], kinematic viscosity `nu`.
+    AirMotion(const Foam::volVectorField& U, const Foam::volScalarField& nu, double density,
+        const PowderOnMesh& onMesh, const ParticleExchange& exchange, std::size_t parcels);
+
+    const double density;
+    const Foam::volScalarField& nu;
+    const PowderOnMesh& onMesh;
+    const double interval; ///< [s]
+
+    const Foam::volVectorField& vorticity(); ///< [1/s]
+
+    /// mu div(grad(u)), largest where there is powder, over all ranks [Pa/m].
+    double largestViscousForce() const;
+
+    const std::vector<Around>& around();
+
+    /// du/dt + u.grad(u) at the parcels [m/s2].
+    const std::vector<Foam::vector>& acceleration();
+
+private:
+    std::vector<Packed<5>> atParcels(Foam::List<Packed<5>>&& cells) const;
+
+    const Foam::volVectorField& U_;
+    const ParticleExchange& exchange_;
+    std::size_t parcels_;
+    std::optional<Foam::volVectorField> vorticity_;
+    std::optional<std::vector<Around>> around_;
+    std::optional<std::vector<Foam::vector>> acceleration_;
+};
+
+} // namespace interstice

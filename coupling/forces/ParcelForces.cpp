@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/forces/ParcelForces.hpp"
+
+#include "coupling/forces/ShearLift.hpp"
+#include "coupling/forces/SpinLift.hpp"
+#include "coupling/forces/VirtualMass.hpp"
+#include "coupling/laws/InputError.hpp"
+#include "coupling/mesh/Parameters.hpp"
+
+#include "Time.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+constexpr int lookEvery = 20; // steps between two looks at the numbers
+
+void requireGrains(double coarseGraining, const std::string& key, const std::string& where)
+{
+    if (coarseGraining > 1)
+    {
+        throw InputError({"The spin of a parcel is that of none of its grains.",
+            "spinLift on, coarseGraining " + Foam::name(coarseGraining), "spinLift off or auto, or coarseGraining 1",
+            key + "; " + where, "Leave spinLift out, or simulate the grains themselves."});
+    }
+}
+
+} // namespace
+
+ParcelForces::ParcelForces(
+    const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt)
+{
+    const Parameters p(effects);
+    const auto wish = [&p](const char* key) { return EffectTable::wish(p.name(key, "auto"), p.where(key)); };
+
+    add(std::make_unique<ShearLift>(coarseGraining), wish("shearLift"));
+    virtualMass_ = add(std::make_unique<VirtualMass>(), wish("virtualMass"));
+    const Effect::Wish spin = wish("spinLift");
+    if (spin == Effect::Wish::on)
+    {
+        requireGrains(coarseGraining, p.where("spinLift"), coarseGrainingAt);
+    }
+    if (coarseGraining <= 1)
+    {
+        add(std::make_unique<SpinLift>(), spin);
+    }
+    p.allKnown();
+}
+
+ParcelForces::~ParcelForces() = default;
+
+std::size_t ParcelForces::add(std::unique_ptr<ParcelForce> force, Effect::Wish wish)
+{
+    Effect effect = force->effect();
+    effect.wish = wish;
+    forces_.push_back({std::move(force), table_.add(effect)});
+    return forces_.back().place;
+}
+
+double ParcelForces::addedDensity(double fluidDensity) const
+{
+    return table_.on(virtualMass_) ? VirtualMass::coefficient*fluidDensity : 0;
+}
+
+void ParcelForces::resume(const std::map<std::string, double>& largest, double time)
+{
+    for (const Entry& entry : forces_)
+    {
+        const auto found = largest.find(table_.effects()[entry.place].key);
+        if (found != largest.end())
+        {
+            table_.meet(entry.place, found->second, time);
+        }
+    }
+}
+
+void ParcelForces::meet(std::size_t place, double number, double time)
+{
+    const std::string news = table_.meet(place, number, time);
+    if (!news.empty())
+    {
+        Info<< "    " << news.c_str() << endl;
+    }
+}
+
+void ParcelForces::start(double density, const DemEngine& dem, double time)
+{
+    for (const Entry& entry : forces_)
+    {
+        if (const std::optional<double> number = entry.force->numberAtStart(density, dem))
+        {
+            meet(entry.place, *number, time);
+        }
+    }
+}
+
+void ParcelForces::look(AirMotion& air, const DemEngine& dem, double time)
+{
+    for (const Entry& entry : forces_)
+    {
+        meet(entry.place, entry.force->number(air, dem), time);
+    }
+}
+
+void ParcelForces::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Time& time)
+{
+    // By the index of the step, which a run that goes on takes over.
+    if (time.timeIndex() % lookEvery == 1)
+    {
+        look(air, dem, time.value());
+    }
+    for (const Entry& entry : forces_)
+    {
+        if (table_.on(entry.place))
+        {
+            entry.force->act(air, dem, own);
+        }
+    }
+}
+
+} // namespace interstice

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/forces/ParcelForce.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace interstice
+{
+
+/// The forces on parcels besides drag and pressure that a case can have: which it calls for, and what they do.
+/// One that is left out costs a look at its number every 20 steps; one that the case has switched off for good
+/// costs the same, since the user is told if it would have mattered.
+class ParcelForces
+{
+public:
+    /// Reads `effects`: a key a force, auto, on or off. Throws InputError for another key or word, and if grains
+    /// of parcels are asked to do what only lone grains can; `coarseGrainingAt` is where k stands. Local.
+    ParcelForces(const Foam::dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt);
+    ~ParcelForces();
+
+    /// Collective. Decides what is known before the air has moved. `density` of the air [kg/m3], `time` [s].
+    void start(double density, const DemEngine& dem, double time);
+
+    /// Collective. For the step that is done by the air and not yet by the powder.
+    void act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Foam::Time& time);
+
+    /// Collective. Goes on with the largest numbers of an earlier run, by key.
+    void resume(const std::map<std::string, double>& largest, double time);
+
+    /// Mass of fluid that parcels take along, by their volume [kg/m3].
+    double addedDensity(double fluidDensity) const;
+
+    const EffectTable& table() const { return table_; }
+
+private:
+    void look(AirMotion& air, const DemEngine& dem, double time);
+    void meet(std::size_t place, double number, double time);
+    std::size_t add(std::unique_ptr<ParcelForce> force, Effect::Wish wish);
+
+    struct Entry
+    {
+        std::unique_ptr<ParcelForce> force;
+        std::size_t place; // in the table
+    };
+    std::vector<Entry> forces_;
+    EffectTable table_;
+    std::size_t virtualMass_; // its place in the table
+};
+
+} // namespace interstice

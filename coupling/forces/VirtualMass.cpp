@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/forces/VirtualMass.hpp"
+
+#include "coupling/laws/EffectNumbers.hpp"
+
+#include "mathematicalConstants.H"
+
+namespace interstice
+{
+
+using namespace Foam;
+
+namespace
+{
+
+double sphereVolume(double radius)
+{
+    return 4.0/3.0*constant::mathematical::pi*pow3(radius);
+}
+
+} // namespace
+
+Effect VirtualMass::effect() const
+{
+    return {"virtualMass", "mass of the air that a grain takes along, over its own", largestVirtualMassShare};
+}
+
+// Of the lightest particle.
+std::optional<double> VirtualMass::numberAtStart(double density, const DemEngine& dem) const
+{
+    const ParticleView view = dem.particles();
+    double largest = 0;
+    for (int i = 0; i < view.count; ++i)
+    {
+        largest = max(largest, virtualMassShare(view.mass[i]/sphereVolume(view.radius[i]), density));
+    }
+    return returnReduce(largest, maxOp<double>());
+}
+
+double VirtualMass::number(AirMotion& air, const DemEngine& dem) const
+{
+    return *numberAtStart(air.density, dem);
+}
+
+void VirtualMass::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own)
+{
+    dem.useAddedMass();
+    const std::vector<vector>& acceleration = air.acceleration();
+    const ParticleView view = dem.particles();
+    for (int i = 0; i < view.count; ++i)
+    {
+        const double mass =
+            seen(own[i]) ? coefficient*air.density*sphereVolume(view.radius[i]) : 0;
+        dem.setAddedMass(i, mass);
+        give(own[i], mass*acceleration[i], air.interval);
+    }
+}
+
+} // namespace interstice
