@@ -74,7 +74,7 @@ void CoupledPowder::placeParcels(double interval)
             solids_->outside(now + interval*vector(v[0], v[1], v[2]));
         points[i] = {toVec3(box.wrap(then.position)), toVec3(box.wrap(now))};
         const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
-        own[i] = {points[i].position, {v[0], v[1], v[2]}, dem_->impulse(i), 2*view.radius[i],
+        own[i] = {points[i].position, {v[0], v[1], v[2]}, movesAir() ? dem_->impulse(i) : Vec3{}, 2*view.radius[i],
             view.mass[i] + added*volume, then.presence, view.id[i]};
     }
 
@@ -90,7 +90,7 @@ void CoupledPowder::placeParcels(double interval)
 void CoupledPowder::chooseTimeStep(double courant)
 {
     TimeStepChoice::Scene scene;
-    scene.air = hasAir_;
+    scene.air = hasAir();
     scene.courant = courant;
     scene.response = response_;
     scene.radius = dem_->minimumRadius();
@@ -134,7 +134,7 @@ double CoupledPowder::seenAfter(double interval)
 
 void CoupledPowder::tellLag()
 {
-    if (hasAir_ && !lagTold_ && !predicted())
+    if (movesAir() && !lagTold_ && !predicted())
     {
         lagTold_ = true;
         Info<< "Powder of " << lightest_ << " kg/m3 in a fluid of " << density_ << " kg/m3 is light: "
@@ -185,7 +185,8 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
     for (std::size_t i = 0; i < own.size(); ++i)
     {
         const GasRecord& air = own[i];
-        const Vec3 given{-air.given[0], -air.given[1], -air.given[2]};
+        const Vec3 given =
+            movesAir() ? Vec3{-air.given[0], -air.given[1], -air.given[2]} : Vec3{}; // nothing is given to a held air
         dem_->setGas(static_cast<int>(i), {air.velocity, air.dragCoefficient, air.force}, given);
     }
     dem_->advance(timeStep_->demSteps());
@@ -220,7 +221,7 @@ void CoupledPowder::refreshState()
     state_.total = dem_->particleCount();
     state_.lost += std::max(before - state_.total, 0LL);
     state_.momentumRemainder = Zero;
-    for (int i = 0; hasAir_ && i < view.count; ++i)
+    for (int i = 0; movesAir() && i < view.count; ++i)
     {
         state_.momentumRemainder += toFoam(dem_->impulse(i));
     }
@@ -243,11 +244,6 @@ CoupledPowder::Traffic CoupledPowder::traffic() const
     const double particles = max(double(state_.total), 1.0);
     const double steps = max(double(mine.plans), 1.0);
     return {bytes/particles/steps, messages/Pstream::nProcs()/steps, guests/particles};
-}
-
-const EffectTable& CoupledPowder::effects() const
-{
-    return forces_->table();
 }
 
 const std::string& CoupledPowder::bindingLimit() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/effects/AirCoupling.hpp"
 #include "coupling/effects/EffectTable.hpp"
 #include "coupling/mesh/PowderOnMesh.hpp"
 #include "coupling/mesh/PowderState.hpp"
@@ -18,6 +19,14 @@ class DemEngine;
 class ParcelForces;
 class ParticleExchange;
 class TimeStepChoice;
+
+/// The air as the powder finds it.
+struct AirAtStart
+{
+    double density; ///< [kg/m3]
+    const Foam::volScalarField& nu; ///< kinematic viscosity
+    bool driven; ///< by something else than powder
+};
 
 /// The powder: LIGGGHTS, its particles on the mesh, and what they exchange with the air. This is
 /// the library's front; a solver needs nothing else of it.
@@ -38,9 +47,7 @@ class CoupledPowder
 public:
     /// Opens LIGGGHTS, runs the case's script and deposits the powder as it lies, in air at rest. If
     /// the folder of the start time has a checkpoint, the script reads the particles from it.
-    /// `density` [kg/m3] and kinematic viscosity `nu` of the air.
-    CoupledPowder(Foam::fvMesh& mesh, double density, const Foam::volScalarField& nu,
-        StageClock& clock);
+    CoupledPowder(Foam::fvMesh& mesh, const AirAtStart& air, StageClock& clock);
     ~CoupledPowder();
     CoupledPowder(const CoupledPowder&) = delete;
     CoupledPowder& operator=(const CoupledPowder&) = delete;
@@ -52,8 +59,11 @@ public:
     /// True: the run goes on from a checkpoint.
     bool resumed() const { return resumed_; }
 
-    /// False: no air is simulated and the powder falls freely (`air off`).
-    bool hasAir() const { return hasAir_; }
+    /// False: no air is simulated and the powder falls freely (`air none`).
+    bool hasAir() const { return air_ != AirCoupling::none; }
+
+    /// Whether the air is to be solved: false also where a given one moves the powder (`air oneWay`).
+    bool movesAir() const { return air_ == AirCoupling::twoWay; }
 
     /// Sets deltaT of the clock. `courant`: of the air in the step just done, zero without air.
     void chooseTimeStep(double courant);
@@ -72,7 +82,7 @@ public:
     PowderOnMesh& onMesh() { return *onMesh_; }
     const SolidsOnMesh& solids() const { return *solids_; }
     const PowderState& state() const { return state_; }
-    const EffectTable& effects() const;
+    const EffectTable& effects() const { return effects_; }
     const std::string& bindingLimit() const; ///< which limit set the time step
     long demSteps() const; ///< in this time step
     double demTimeStep() const; ///< [s]
@@ -105,6 +115,8 @@ private:
     std::optional<Checkpoint> checkpoint() const;
     void resume(const Checkpoint& before);
     Checkpoint record() const;
+    void chooseAir(const std::optional<AirCoupling>& wish, const AirAtStart& air);
+    double smallestSensitivity(const AirAtStart& air) const;
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;
     void checkSmoothing(double width, const std::string& where) const;
@@ -121,7 +133,7 @@ private:
     Foam::fvMesh& mesh_;
     StageClock& clock_;
     double density_;
-    bool hasAir_ = true;
+    AirCoupling air_ = AirCoupling::twoWay;
     bool resumed_ = false;
     bool checkpoints_ = true;
     double coarseGraining_ = 1;
@@ -136,6 +148,7 @@ private:
     std::vector<std::string> solidWalls_; // LIGGGHTS fix of each solid
     std::unique_ptr<ParticleExchange> exchange_;
     std::unique_ptr<TimeStepChoice> timeStep_;
+    EffectTable effects_;
     std::unique_ptr<ParcelForces> forces_;
     PowderState state_;
 };

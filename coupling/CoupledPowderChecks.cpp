@@ -61,7 +61,7 @@ void CoupledPowder::checkSmoothing(double width, const std::string& where) const
 {
     const double diameter = 2*dem_->maximumRadius();
     const double cell = std::cbrt(gMin(mesh_.V()));
-    if (hasAir_ && diameter > 2.01*cell && width < diameter)
+    if (movesAir() && diameter > 2.01*cell && width < diameter)
     {
         throw InputError({"A parcel larger than two cells must be smoothed.",
             "a diameter of " + metres(diameter) + ", cells of " + metres(cell)

@@ -33,7 +33,7 @@ Vec3 toVec3(const vector& v)
 // After the DEM: particles may sit in other slots and on other ranks than when they got their air.
 void CoupledPowder::refreshForces()
 {
-    const label count = hasAir_ ? state_.count : 0;
+    const label count = hasAir() ? state_.count : 0;
     state_.drag.setSize(count);
     state_.pressureForce.setSize(count);
     state_.stepImpulse = Zero;
@@ -65,8 +65,8 @@ void CoupledPowder::writeCloud()
         }
         points.push_back({position, position});
         own.push_back({position, {v[0], v[1], v[2]},
-            hasAir_ ? toVec3(state_.drag[i]) : Vec3{},
-            hasAir_ ? toVec3(state_.pressureForce[i]) : Vec3{}, 2*state_.radius[i],
+            hasAir() ? toVec3(state_.drag[i]) : Vec3{},
+            hasAir() ? toVec3(state_.pressureForce[i]) : Vec3{}, 2*state_.radius[i],
             state_.mass[i], state_.id[i]});
     }
     exchange_->plan(points, onMesh_->locator());

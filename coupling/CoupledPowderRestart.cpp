@@ -45,7 +45,7 @@ Checkpoint CoupledPowder::record() const
     c.timeIndex = clock.timeIndex();
     c.response = response_;
     c.lag = lag_;
-    for (const Effect& effect : effects().effects())
+    for (const Effect& effect : effects_.effects())
     {
         c.effects[effect.key] = effect.largest;
     }

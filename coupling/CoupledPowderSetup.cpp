@@ -7,10 +7,12 @@
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
 #include "coupling/forces/ParcelForces.hpp"
+#include "coupling/laws/DimensionlessGroups.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
 #include "IOdictionary.H"
+#include "mathematicalConstants.H"
 
 #include <algorithm>
 
@@ -57,18 +59,17 @@ std::unique_ptr<DragLaw> dragLaw(const dictionary& dict)
 
 } // namespace
 
-CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField& nu,
-    StageClock& clock)
+CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& clock)
 :
     mesh_(mesh),
     clock_(clock),
-    density_(density),
+    density_(air.density),
     lightest_(GREAT),
     state_(mesh)
 {
     const IOdictionary dict(couplingProperties(mesh));
     const Parameters p(dict);
-    hasAir_ = p.flag("air", true);
+    const std::optional<AirCoupling> wish = airCoupling(p.name("air", "auto"), p.where("air"));
     const dictionary& powder = p.group("powder");
     coarseGraining_ = Parameters(powder).number(
         "coarseGraining", "", Parameters::Range::positive, 1);
@@ -85,9 +86,10 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
         StageClock::Scope timed(clock_, Stage::dem);
         openDem(powder, before ? &*before : nullptr);
     }
+    chooseAir(wish, air);
     readSolids(p.sub("solids"));
     forces_ = std::make_unique<ParcelForces>(
-        p.sub("effects"), coarseGraining_, Parameters(powder).where("coarseGraining"));
+        p.sub("effects"), coarseGraining_, Parameters(powder).where("coarseGraining"), effects_);
     forces_->start(density_, *dem_, mesh_.time().value());
     p.allGroupsKnown();
     checkScene();
@@ -101,7 +103,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, double density, const volScalarField&
     onMesh_->depositVolume();
     const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero));
-    onMesh_->depositDrag(atRest, density_, nu, mesh.time().deltaTValue());
+    onMesh_->depositDrag(atRest, density_, air.nu, mesh.time().deltaTValue());
     response_ = onMesh_->report().shortestResponse;
     refreshState();
     state_.initialMass = record().mass;
@@ -152,6 +154,50 @@ void CoupledPowder::openDem(const dictionary& dict, const Checkpoint* before)
     }
 }
 
+// Of the particle that feels the air most; zero as long as there is none.
+double CoupledPowder::smallestSensitivity(const AirAtStart& air) const
+{
+    DieFilling filling{};
+    filling.gasDensity = air.density;
+    filling.gasViscosity = air.density*gMax(air.nu.primitiveField());
+    filling.gravity = mag(vector(dem_->gravity()[0], dem_->gravity()[1], dem_->gravity()[2]));
+    double smallest = GREAT;
+    const ParticleView view = dem_->particles();
+    for (int i = 0; i < view.count; ++i)
+    {
+        filling.particleDiameter = 2*view.radius[i]/coarseGraining_;
+        filling.particleDensity = view.mass[i]/(4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]));
+        smallest = min(smallest, airSensitivity(filling));
+    }
+    return dem_->particleCount() > 0 ? returnReduce(smallest, minOp<double>()) : 0;
+}
+
+// By itself the air is left out if nothing but powder could move it, and the powder does not feel it.
+void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, const AirAtStart& air)
+{
+    const double zeta = smallestSensitivity(air);
+    Effect effect{"air", "9.56e6 over zeta, the sensitivity to air", 1};
+    effect.wish = !wish ? Effect::Wish::automatic
+        : *wish == AirCoupling::none ? Effect::Wish::off : Effect::Wish::on;
+    effect.largest = criticalAirSensitivity/max(zeta, SMALL);
+    const bool felt = effect.askedFor();
+    air_ = wish ? *wish : felt || air.driven ? AirCoupling::twoWay : AirCoupling::none;
+    effect.on = hasAir();
+    effect.how = nameOf(air_);
+    effect.by = !wish && !felt && air.driven ? "drive" : "";
+    effects_.add(effect);
+    if (!wish && !hasAir())
+    {
+        Info<< "The air is left out: zeta is " << zeta << ", above " << criticalAirSensitivity
+            << ", and nothing but powder could move it. Set air on to simulate it." << nl << endl;
+    }
+    else if (!hasAir() && felt)
+    {
+        Info<< "The air is left out, and would matter: zeta is " << zeta << ", below "
+            << criticalAirSensitivity << "." << nl << endl;
+    }
+}
+
 void CoupledPowder::readSolids(const dictionary& dict)
 {
     for (const word& name : dict.toc())
@@ -166,7 +212,7 @@ void CoupledPowder::readSolids(const dictionary& dict)
         const fileName surface = mesh_.time().globalPath()/p.text("surface");
         const bool seen = p.flag("seenByAir", true);
         p.allKnown();
-        if (seen && hasAir_)
+        if (seen && movesAir())
         {
             solids_->add(
                 std::make_unique<MovingSolid>(mesh_, name, surface, p.where("surface")));

@@ -12,11 +12,11 @@ namespace interstice
 namespace
 {
 
-std::string line(const std::string& effect, const char* state, const char* by,
+std::string line(const std::string& effect, const std::string& state, const std::string& by,
     const std::string& number, const std::string& limit)
 {
     char text[200];
-    std::snprintf(text, sizeof text, "    %-14s %-4s %-7s %9s %7s", effect.c_str(), state, by,
+    std::snprintf(text, sizeof text, "    %-14s %-6s %-7s %9s %7s", effect.c_str(), state.c_str(), by.c_str(),
         number.c_str(), limit.c_str());
     return text;
 }
@@ -50,7 +50,7 @@ Effect::Wish EffectTable::wish(const std::string& word, const std::string& where
 std::size_t EffectTable::add(const Effect& effect)
 {
     effects_.push_back(effect);
-    effects_.back().on = effect.wish == Effect::Wish::on;
+    effects_.back().on = effect.on || effect.wish == Effect::Wish::on;
     return effects_.size() - 1;
 }
 
@@ -78,8 +78,12 @@ std::string EffectTable::meet(std::size_t place, double value, double time)
     return {};
 }
 
-const char* EffectTable::decidedBy(const Effect& effect)
+std::string EffectTable::decidedBy(const Effect& effect)
 {
+    if (!effect.by.empty())
+    {
+        return effect.by;
+    }
     return effect.wish == Effect::Wish::automatic ? "number" : "user";
 }
 
@@ -88,7 +92,8 @@ std::string EffectTable::text() const
     std::string table = line("effect", "", "by", "number", "limit") + '\n';
     for (const Effect& effect : effects_)
     {
-        table += line(effect.key, effect.on ? "on" : "off", decidedBy(effect), shown(effect.largest),
+        const std::string state = effect.on ? "on" : "off";
+        table += line(effect.key, effect.how.empty() ? state : effect.how, decidedBy(effect), shown(effect.largest),
                      shown(effect.limit))
             + "   " + effect.number + '\n';
     }

@@ -24,6 +24,8 @@ struct Effect
 
     double largest = 0; ///< of the number, so far
     bool on = false;
+    std::string how = {}; ///< if there is more to say than on or off
+    std::string by = {}; ///< who decided, if neither the user nor the number
     double since = 0; ///< time from which on the number asked for it [s]
 
     bool askedFor() const { return largest > limit; }
@@ -38,7 +40,7 @@ public:
     /// (file and key).
     static Effect::Wish wish(const std::string& word, const std::string& where);
 
-    /// Adds an effect, which is on if that is the wish. Returns its place in the table.
+    /// Adds an effect, which is on if it was before or if that is the wish. Returns its place in the table.
     std::size_t add(const Effect& effect);
 
     bool on(std::size_t place) const { return effects_[place].on; }
@@ -49,8 +51,8 @@ public:
 
     const std::vector<Effect>& effects() const { return effects_; }
 
-    /// Who decided: "number" or "user".
-    static const char* decidedBy(const Effect& effect);
+    /// Who decided: "number", "user", or what the effect names.
+    static std::string decidedBy(const Effect& effect);
 
     /// A table for the screen, with a line an effect.
     std::string text() const;

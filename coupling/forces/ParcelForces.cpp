@@ -32,7 +32,9 @@ void requireGrains(double coarseGraining, const std::string& key, const std::str
 } // namespace
 
 ParcelForces::ParcelForces(
-    const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt)
+    const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt, EffectTable& table)
+:
+    table_(table)
 {
     const Parameters p(effects);
     const auto wish = [&p](const char* key) { return EffectTable::wish(p.name(key, "auto"), p.where(key)); };

@@ -18,7 +18,10 @@ class ParcelForces
 public:
     /// Reads `effects`: a key a force, auto, on or off. Throws InputError for another key or word, and if grains
     /// of parcels are asked to do what only lone grains can; `coarseGrainingAt` is where k stands. Local.
-    ParcelForces(const Foam::dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt);
+    ///
+    /// Adds rows to `table`, which must outlive this.
+    ParcelForces(const Foam::dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt,
+        EffectTable& table);
     ~ParcelForces();
 
     /// Collective. Decides what is known before the air has moved. `density` of the air [kg/m3], `time` [s].
@@ -33,8 +36,6 @@ public:
     /// Mass of fluid that parcels take along, by their volume [kg/m3].
     double addedDensity(double fluidDensity) const;
 
-    const EffectTable& table() const { return table_; }
-
 private:
     void look(AirMotion& air, const DemEngine& dem, double time);
     void meet(std::size_t place, double number, double time);
@@ -46,7 +47,7 @@ private:
         std::size_t place; // in the table
     };
     std::vector<Entry> forces_;
-    EffectTable table_;
+    EffectTable& table_;
     std::size_t virtualMass_; // its place in the table
 };
 

@@ -202,6 +202,12 @@ void AirFlow::start(const PowderOnMesh& powder)
     alphaPhi_.oldTime() == alphaPhi_;
 }
 
+void AirFlow::hold()
+{
+    gradP_ = fvc::grad(p_);
+    finish();
+}
+
 void AirFlow::resume()
 {
     for (const regIOobject* needed :

@@ -37,6 +37,13 @@ public:
     double density() const { return density_; } ///< [kg/m3]
     const Foam::volScalarField& nu() const { return nu_; }
     const Foam::volVectorField& U() const { return U_; }
+    /// Collective. Whether anything but the powder may move the air: it moves at the start, a boundary, a difference
+    /// of pressure between boundaries, or a bodyForce does.
+    bool driven() const;
+
+    /// Collective. Takes the air as it is given, for one that is not solved.
+    void hold();
+
     double courant() const { return report_.courant; }
     const Report& report() const { return report_; }
 

@@ -55,7 +55,10 @@ RunLog::RunLog(Time& time, CoupledPowder& powder, StageClock& clock)
     clock_(clock),
     tableEvery_(time.controlDict().getOrDefault<scalar>("timeTableEvery", 60)),
     nextTable_(tableEvery_)
-{}
+{
+    Info<< "Effects, as far as the case tells (effects { KEY auto|on|off; } of couplingProperties):" << nl
+        << powder.effects().text().c_str() << endl;
+}
 
 void RunLog::step(const AirFlow::Report& air)
 {
@@ -159,10 +162,7 @@ void RunLog::stopped(const std::string& why)
 
 void RunLog::end()
 {
-    if (powder_.hasAir())
-    {
-        Info<< nl << powder_.effects().text().c_str();
-    }
+    Info<< nl << "Effects, as they were met:" << nl << powder_.effects().text().c_str();
     table();
     Info<< "End" << nl << endl;
 }
@@ -201,7 +201,7 @@ void RunLog::json(
     }
     for (const Effect& effect : powder_.effects().effects())
     {
-        out["effects"][effect.key] = {{"on", effect.on}, {"by", EffectTable::decidedBy(effect)},
+        out["effects"][effect.key] = {{"on", effect.on}, {"how", effect.how}, {"by", EffectTable::decidedBy(effect)},
             {"number", effect.largest}, {"limit", effect.limit}, {"meaning", effect.number}};
     }
     out["bytesPerParticleStep"] = traffic.bytesPerParticle;

@@ -25,7 +25,7 @@ static int run(argList& args)
 
     interstice::StageClock clock;
     interstice::AirFlow air(mesh, clock);
-    interstice::CoupledPowder powder(mesh, air.density(), air.nu(), clock);
+    interstice::CoupledPowder powder(mesh, {air.density(), air.nu(), air.driven()}, clock);
     if (powder.resumed())
     {
         air.resume();
@@ -33,6 +33,10 @@ static int run(argList& args)
     else
     {
         air.start(powder.onMesh());
+    }
+    if (!powder.movesAir())
+    {
+        air.hold();
     }
     interstice::RunLog log(runTime, powder, clock);
     interstice::StopRequest stop;
@@ -48,7 +52,10 @@ static int run(argList& args)
             if (powder.hasAir())
             {
                 powder.toAir(air.U(), air.nu());
-                air.solve(powder.onMesh(), powder.solids());
+                if (powder.movesAir())
+                {
+                    air.solve(powder.onMesh(), powder.solids());
+                }
                 powder.fromAir(air.U(), air.nu(), air.pressureGradient());
             }
             else

@@ -57,8 +57,8 @@ TEST(EffectTable, TellsWhoDecidedByWhichNumber)
     EffectTable table = lift(Effect::Wish::automatic);
     table.meet(0, 0.05, 0);
     EXPECT_EQ(table.text(),
-        "    effect              by         number   limit\n"
-        "    lift           off  number       0.05     0.1   lift over drag\n");
+        "    effect                by         number   limit\n"
+        "    lift           off    number       0.05     0.1   lift over drag\n");
 }
 
 TEST(EffectTable, KnowsThreeWords)

@@ -82,6 +82,7 @@ class Case:
         self.endTime = 1e-3
         self.writeInterval = None
         self.timeStep = ""
+        self.air = "on"
         self.effects = ""
         self.pressureTolerance = 1e-12
         self.correctors = 1
@@ -127,7 +128,7 @@ class Case:
             "adjustTimeStep": "on" if self.adjustTimeStep else "off",
             "slices": " ".join(str(ranks) if a == self.slices else "1" for a in AXES),
             "airGravity": spaced(self.airGravity), "law": self.lawName, "deposit": self.deposit,
-            "timeStep": self.timeStep, "effects": self.effects,
+            "timeStep": self.timeStep, "effects": self.effects, "air": self.air,
             "compressibility": self.compressibility, "cells": " ".join(map(str, self.box.cells)),
             "U": spaced(self.U), "processors": self.processors}
         texts.update({key: format(value, ".15g") for key, value in numbers.items()})
