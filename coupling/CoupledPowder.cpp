@@ -158,7 +158,7 @@ void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
 }
 
 void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
-    const volVectorField& pressureGradient)
+    const volVectorField& stressGradient)
 {
     const double interval = mesh_.time().deltaTValue();
     std::vector<GasRecord> own(dem_->particles().count);
@@ -171,7 +171,7 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
     {
         StageClock::Scope timed(clock_, Stage::deposit);
         const std::vector<GasRecord> handled =
-            onMesh_->gasAtParcels(U, pressureGradient, interval);
+            onMesh_->gasAtParcels(U, stressGradient, interval);
         clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
         StageClock::Scope exchanging(clock_, Stage::exchange);
         exchange_->toOwners(handled, own);
@@ -244,6 +244,11 @@ CoupledPowder::Traffic CoupledPowder::traffic() const
     const double particles = max(double(state_.total), 1.0);
     const double steps = max(double(mine.plans), 1.0);
     return {bytes/particles/steps, messages/Pstream::nProcs()/steps, guests/particles};
+}
+
+bool CoupledPowder::feelsViscosity() const
+{
+    return forces_->viscous();
 }
 
 const std::string& CoupledPowder::bindingLimit() const

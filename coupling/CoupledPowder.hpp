@@ -65,15 +65,20 @@ public:
     /// Whether the air is to be solved: false also where a given one moves the powder (`air oneWay`).
     bool movesAir() const { return air_ == AirCoupling::twoWay; }
 
+    /// Whether the powder feels the air's viscous stresses besides its pressure, div(tau) beside -grad(p): the air
+    /// has then alpha div(tau) in its equation, else div(alpha tau).
+    bool feelsViscosity() const;
+
     /// Sets deltaT of the clock. `courant`: of the air in the step just done, zero without air.
     void chooseTimeStep(double courant);
 
     /// Powder to mesh, for the step that has just begun.
     void toAir(const Foam::volVectorField& U, const Foam::volScalarField& nu);
 
-    /// Air to particles, then DEM to the time of the clock. `pressureGradient` in Pa/m.
+    /// Air to particles, then DEM to the time of the clock. `stressGradient` is what pushes a particle's volume,
+    /// grad(p), or grad(p) - div(tau) if the powder feels it [Pa/m].
     void fromAir(const Foam::volVectorField& U, const Foam::volScalarField& nu,
-        const Foam::volVectorField& pressureGradient);
+        const Foam::volVectorField& stressGradient);
 
     /// DEM to the time of the clock, with no air.
     void fall();

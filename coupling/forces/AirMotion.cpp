@@ -31,7 +31,7 @@ const volVectorField& AirMotion::vorticity()
 
 double AirMotion::largestViscousForce() const
 {
-    const volVectorField slowed(fvc::laplacian(nu, U_, "laplacian((voidFraction*nuEff),U)"));
+    const volVectorField slowed(fvc::laplacian(nu, U_, "laplacian(nuEff,U)"));
     double largest = 0;
     for (const int celli : onMesh.cells())
     {

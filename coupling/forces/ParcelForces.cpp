@@ -4,6 +4,7 @@
 #include "coupling/forces/ShearLift.hpp"
 #include "coupling/forces/SpinLift.hpp"
 #include "coupling/forces/VirtualMass.hpp"
+#include "coupling/forces/ViscousForce.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
@@ -41,6 +42,7 @@ ParcelForces::ParcelForces(
 
     add(std::make_unique<ShearLift>(coarseGraining), wish("shearLift"));
     virtualMass_ = add(std::make_unique<VirtualMass>(), wish("virtualMass"));
+    viscous_ = add(std::make_unique<ViscousForce>(), wish("viscousForce"));
     const Effect::Wish spin = wish("spinLift");
     if (spin == Effect::Wish::on)
     {

@@ -33,6 +33,9 @@ public:
     /// Collective. Goes on with the largest numbers of an earlier run, by key.
     void resume(const std::map<std::string, double>& largest, double time);
 
+    /// Whether viscous stresses act on the powder; the air then keeps its own share of them only.
+    bool viscous() const { return table_.on(viscous_); }
+
     /// Mass of fluid that parcels take along, by their volume [kg/m3].
     double addedDensity(double fluidDensity) const;
 
@@ -48,7 +51,8 @@ private:
     };
     std::vector<Entry> forces_;
     EffectTable& table_;
-    std::size_t virtualMass_; // its place in the table
+    std::size_t virtualMass_; // places in the table
+    std::size_t viscous_;
 };
 
 } // namespace interstice

@@ -242,13 +242,21 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     report_.spreadSource = 0;
 }
 
-void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids)
+void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids, bool viscousForce)
 {
+    if (viscousForce && !divTau_)
+    {
+        divTau_ = std::make_unique<volVectorField>(viscousStresses());
+    }
     begin(powder, solids);
     while (quietLoop(pimple_))
     {
         fvVectorMatrix UEqn(inertia());
         predictVelocity(UEqn);
+        if (divTau_)
+        {
+            *divTau_ = viscousStresses();
+        }
         const volVectorField h(carried(UEqn));
         while (pimple_.correct())
         {

@@ -55,21 +55,21 @@ public:
     void resume();
 
     /// Collective. Moves the air over the time step, with the powder as it lies on the mesh.
+    /// `viscousForce`: the powder feels its share of the viscous stresses.
     /// Throws RunFailure, on all ranks, if U or p is no number in some cell, which it names; fields
     /// and clock are then those of the step before.
-    void solve(const PowderOnMesh& powder, const SolidsOnMesh& solids);
+    void solve(const PowderOnMesh& powder, const SolidsOnMesh& solids, bool viscousForce);
 
-    /// Of the last step, [Pa/m]: what the particles feel.
-    Foam::tmp<Foam::volVectorField> pressureGradient() const
-    {
-        return Foam::dimensionedScalar("rho", Foam::dimDensity, density_)*gradP_;
-    }
+    /// Of the last step, grad(p), or grad(p) - div(tau) with viscousForce [Pa/m]: what the particles feel.
+    Foam::tmp<Foam::volVectorField> stressGradient() const;
 
 private:
     using Turbulence = Foam::PhaseIncompressibleTurbulenceModel<Foam::singlePhaseTransportModel>;
 
     void begin(const PowderOnMesh& powder, const SolidsOnMesh& solids);
     Foam::fvVectorMatrix inertia();
+    Foam::tmp<Foam::fvVectorMatrix> viscosity();
+    Foam::tmp<Foam::volVectorField> viscousStresses() const;
     void predictVelocity(Foam::fvVectorMatrix& UEqn);
     Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
     void correctPressure(const Foam::volVectorField& carried);
@@ -92,6 +92,7 @@ private:
     Foam::surfaceScalarField phi_; ///< flux of U
     Foam::volVectorField push_; ///< all forces of the last step: drag, pressure, gravity [m/s2]
     Foam::volVectorField gradP_; ///< pressure gradient that corrects U and moves particles
+    std::unique_ptr<Foam::volVectorField> divTau_; ///< over density [m/s2]; only if the powder feels it
     Foam::volScalarField resistance_; ///< drag and solids, (K/rho + sigma) [1/s]
     Foam::volVectorField source_; ///< (K U_s + carry)/rho + sigma U_wall + alpha g [m/s2]
     Foam::surfaceScalarField fixedFlux_; ///< 1 where a boundary gives the flux

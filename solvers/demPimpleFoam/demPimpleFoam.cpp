@@ -5,6 +5,7 @@
 //     d(alpha)/dt + div(alpha U) = 0
 //     d(alpha U)/dt + div(alpha U U) = -alpha grad(p) + div(alpha tau) - K/rho (U - U_s) + alpha g
 //
+// with alpha div(tau) instead if the powder feels viscous stresses, V div(tau) each particle.
 // Air that may be compressed takes in alpha/p0 dp/dt besides (isothermal, p small beside p0).
 //
 // Model A of Zhou, Kuang, Chu & Yu, J. Fluid Mech. 661 (2010) 482-510: the air loses what drag gives
@@ -54,9 +55,9 @@ static int run(argList& args)
                 powder.toAir(air.U(), air.nu());
                 if (powder.movesAir())
                 {
-                    air.solve(powder.onMesh(), powder.solids());
+                    air.solve(powder.onMesh(), powder.solids(), powder.feelsViscosity());
                 }
-                powder.fromAir(air.U(), air.nu(), air.pressureGradient());
+                powder.fromAir(air.U(), air.nu(), air.stressGradient());
             }
             else
             {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AirFlow.hpp"
 
+#include "fvc.H"
 #include "fvm.H"
 
 namespace interstice
@@ -12,6 +13,7 @@ using namespace Foam;
 //
 //     alpha^n (U - U^n)/dt + U^n d(alpha)/dt^n + div(alphaPhi^n U) - div(alpha tau)
 //
+// or - alpha div(tau) if the powder feels the rest of div(tau).
 // alpha^n and alphaPhi^n are those that met in the continuity equation of the last step.
 fvVectorMatrix AirFlow::inertia()
 {
@@ -21,8 +23,33 @@ fvVectorMatrix AirFlow::inertia()
         alpha_.oldTime()*fvm::ddt(U_)
       + fvm::Su(ddtAlpha_.oldTime()*U_.oldTime(), U_)
       + fvm::div(alphaPhi_.oldTime(), U_, "div(alphaPhi,U)")
-      + turbulence_->divDevRhoReff(U_)
+      + viscosity()
     );
+}
+
+tmp<fvVectorMatrix> AirFlow::viscosity()
+{
+    if (!divTau_)
+    {
+        return turbulence_->divDevRhoReff(U_);
+    }
+    const volScalarField nuEff(turbulence_->nuEff());
+    return alpha_*fvm::Su(-fvc::div(nuEff*dev2(T(fvc::grad(U_))), "div(nuEff*dev2(T(grad(U))))"), U_)
+        - alpha_*fvm::laplacian(nuEff, U_, "laplacian(nuEff,U)");
+}
+
+// The same, of the velocity as it is.
+tmp<volVectorField> AirFlow::viscousStresses() const
+{
+    const volScalarField nuEff(turbulence_->nuEff());
+    return fvc::div(nuEff*dev2(T(fvc::grad(U_))), "div(nuEff*dev2(T(grad(U))))")
+        + fvc::laplacian(nuEff, U_, "laplacian(nuEff,U)");
+}
+
+tmp<volVectorField> AirFlow::stressGradient() const
+{
+    const dimensionedScalar rho("rho", dimDensity, density_);
+    return divTau_ ? rho*(gradP_ - *divTau_) : rho*gradP_;
 }
 
 // Where convection and viscosity will find the air, if it is pushed as in the last step. Not by the last

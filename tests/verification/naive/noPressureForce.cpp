@@ -3,5 +3,5 @@
 // Naive: drag alone moves the powder, -V grad(p) does not.
 #include "solvers/demPimpleFoam/AirFlow.hpp"
 
-#define pressureGradient() pressureGradient()*Foam::scalar(0)
+#define stressGradient() stressGradient()*Foam::scalar(0)
 #include "solvers/demPimpleFoam/demPimpleFoam.cpp"
