@@ -123,6 +123,19 @@ double DemEngine::minimumRadius() const
     return all == none ? 0 : all;
 }
 
+double DemEngine::minimumDensity() const
+{
+    constexpr double unitSphere = 4.18879020478639; // 4 pi/3
+    const ParticleView here = particles();
+    double mine = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < here.count; ++i)
+    {
+        const double r = here.radius[i];
+        mine = std::min(mine, here.mass[i]/(unitSphere*r*r*r));
+    }
+    return implementation_->reduced(mine, MPI_MIN);
+}
+
 std::vector<bool> DemEngine::particleTypes() const
 {
     std::vector<int> present(implementation_->atom().ntypes, 0);

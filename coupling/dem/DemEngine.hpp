@@ -163,6 +163,7 @@ public:
     double maximumSpeed() const;     ///< [m/s], 0 without particles
     double maximumRadius() const;    ///< [m], 0 without particles
     double minimumRadius() const;    ///< [m], 0 without particles
+    double minimumDensity() const;   ///< of a particle [kg/m3], infinite without particles
 
     /// For each type of material, the first being type 1, whether any particle is of it. Others may be
     /// those of walls.

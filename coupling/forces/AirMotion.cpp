@@ -40,6 +40,24 @@ double AirMotion::largestViscousForce() const
     return returnReduce(largest, maxOp<double>());
 }
 
+double AirMotion::largestReynolds(double length) const
+{
+    double largest = 0;
+    forAll(U_, celli)
+    {
+        if (onMesh.voidFraction()[celli] > loneGrainVoidFraction)
+        {
+            largest = max(largest, mag(U_[celli])*length/nu[celli]);
+        }
+    }
+    return returnReduce(largest, maxOp<double>());
+}
+
+double AirMotion::largestPressure() const
+{
+    return density*gMax(mag(U_.db().lookupObject<volScalarField>("p").primitiveField())());
+}
+
 std::vector<Packed<5>> AirMotion::atParcels(List<Packed<5>>&& cells) const
 {
     std::vector<Packed<5>> own(parcels_, Packed<5>(Zero));

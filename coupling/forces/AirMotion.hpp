@@ -10,6 +10,9 @@
 namespace interstice
 {
 
+/// Void fraction above which a grain feels what a lone sphere feels, and air is no bed's.
+constexpr double loneGrainVoidFraction = 0.9;
+
 /// How the air moves in a step: fields, and their values at the parcels of this rank, each made when it is
 /// first asked for. All but the plain members are collective.
 class AirMotion
@@ -36,6 +39,12 @@ public:
 
     /// mu div(grad(u)), largest where there is powder, over all ranks [Pa/m].
     double largestViscousForce() const;
+
+    /// Of the fastest air outside of beds, with a length [m]; over all ranks.
+    double largestReynolds(double length) const;
+
+    /// Of all cells, over all ranks [Pa].
+    double largestPressure() const;
 
     const std::vector<Around>& around();
 

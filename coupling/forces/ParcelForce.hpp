@@ -49,7 +49,4 @@ protected:
     static bool seen(const GasRecord& gas) { return gas.dragCoefficient > 0; }
 };
 
-/// Void fraction above which a grain feels what a lone sphere feels.
-constexpr double loneGrainVoidFraction = 0.9;
-
 } // namespace interstice

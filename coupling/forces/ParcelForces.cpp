@@ -5,6 +5,7 @@
 #include "coupling/forces/SpinLift.hpp"
 #include "coupling/forces/VirtualMass.hpp"
 #include "coupling/forces/ViscousForce.hpp"
+#include "coupling/forces/tell.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
@@ -33,7 +34,8 @@ void requireGrains(double coarseGraining, const std::string& key, const std::str
 } // namespace
 
 ParcelForces::ParcelForces(
-    const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt, EffectTable& table)
+    const fvMesh& mesh, const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt,
+    EffectTable& table)
 :
     table_(table)
 {
@@ -52,6 +54,7 @@ ParcelForces::ParcelForces(
     {
         add(std::make_unique<SpinLift>(), spin);
     }
+    others_ = std::make_unique<CaseEffects>(mesh, p, table);
     p.allKnown();
 }
 
@@ -82,22 +85,13 @@ void ParcelForces::resume(const std::map<std::string, double>& largest, double t
     }
 }
 
-void ParcelForces::meet(std::size_t place, double number, double time)
-{
-    const std::string news = table_.meet(place, number, time);
-    if (!news.empty())
-    {
-        Info<< "    " << news.c_str() << endl;
-    }
-}
-
 void ParcelForces::start(double density, const DemEngine& dem, double time)
 {
     for (const Entry& entry : forces_)
     {
         if (const std::optional<double> number = entry.force->numberAtStart(density, dem))
         {
-            meet(entry.place, *number, time);
+            tell(table_, entry.place, *number, time);
         }
     }
 }
@@ -106,8 +100,9 @@ void ParcelForces::look(AirMotion& air, const DemEngine& dem, double time)
 {
     for (const Entry& entry : forces_)
     {
-        meet(entry.place, entry.force->number(air, dem), time);
+        tell(table_, entry.place, entry.force->number(air, dem), time);
     }
+    others_->look(air, dem, time);
 }
 
 void ParcelForces::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Time& time)

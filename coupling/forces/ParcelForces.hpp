@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/forces/CaseEffects.hpp"
 #include "coupling/forces/ParcelForce.hpp"
 
 #include <map>
@@ -20,8 +21,8 @@ public:
     /// of parcels are asked to do what only lone grains can; `coarseGrainingAt` is where k stands. Local.
     ///
     /// Adds rows to `table`, which must outlive this.
-    ParcelForces(const Foam::dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt,
-        EffectTable& table);
+    ParcelForces(const Foam::fvMesh& mesh, const Foam::dictionary& effects, double coarseGraining,
+        const std::string& coarseGrainingAt, EffectTable& table);
     ~ParcelForces();
 
     /// Collective. Decides what is known before the air has moved. `density` of the air [kg/m3], `time` [s].
@@ -41,7 +42,6 @@ public:
 
 private:
     void look(AirMotion& air, const DemEngine& dem, double time);
-    void meet(std::size_t place, double number, double time);
     std::size_t add(std::unique_ptr<ParcelForce> force, Effect::Wish wish);
 
     struct Entry
@@ -50,6 +50,7 @@ private:
         std::size_t place; // in the table
     };
     std::vector<Entry> forces_;
+    std::unique_ptr<CaseEffects> others_;
     EffectTable& table_;
     std::size_t virtualMass_; // places in the table
     std::size_t viscous_;

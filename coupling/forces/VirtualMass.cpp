@@ -28,13 +28,7 @@ Effect VirtualMass::effect() const
 // Of the lightest particle.
 std::optional<double> VirtualMass::numberAtStart(double density, const DemEngine& dem) const
 {
-    const ParticleView view = dem.particles();
-    double largest = 0;
-    for (int i = 0; i < view.count; ++i)
-    {
-        largest = max(largest, virtualMassShare(view.mass[i]/sphereVolume(view.radius[i]), density));
-    }
-    return returnReduce(largest, maxOp<double>());
+    return virtualMassShare(dem.minimumDensity(), density);
 }
 
 double VirtualMass::number(AirMotion& air, const DemEngine& dem) const

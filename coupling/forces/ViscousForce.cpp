@@ -3,8 +3,6 @@
 
 #include "coupling/laws/EffectNumbers.hpp"
 
-#include "mathematicalConstants.H"
-
 namespace interstice
 {
 
@@ -18,16 +16,9 @@ Effect ViscousForce::effect() const
 // Of the lightest particle; without gravity, on earth.
 double ViscousForce::number(AirMotion& air, const DemEngine& dem) const
 {
-    const ParticleView view = dem.particles();
-    double lightest = GREAT;
-    for (int i = 0; i < view.count; ++i)
-    {
-        lightest = min(lightest, view.mass[i]/(4.0/3.0*constant::mathematical::pi*pow3(view.radius[i])));
-    }
-    reduce(lightest, minOp<double>());
     const Vector3 g = dem.gravity();
     const double pull = mag(vector(g[0], g[1], g[2]));
-    return air.largestViscousForce()/(lightest*(pull > 0 ? pull : 9.81));
+    return air.largestViscousForce()/(dem.minimumDensity()*(pull > 0 ? pull : 9.81));
 }
 
 } // namespace interstice
