@@ -246,17 +246,13 @@ void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids, bool
 {
     if (viscousForce && !divTau_)
     {
-        divTau_ = std::make_unique<volVectorField>(viscousStresses());
+        divTau_ = std::make_unique<volVectorField>("divTau", gradP_);
     }
     begin(powder, solids);
     while (quietLoop(pimple_))
     {
         fvVectorMatrix UEqn(inertia());
         predictVelocity(UEqn);
-        if (divTau_)
-        {
-            *divTau_ = viscousStresses();
-        }
         const volVectorField h(carried(UEqn));
         while (pimple_.correct())
         {

@@ -69,7 +69,6 @@ private:
     void begin(const PowderOnMesh& powder, const SolidsOnMesh& solids);
     Foam::fvVectorMatrix inertia();
     Foam::tmp<Foam::fvVectorMatrix> viscosity();
-    Foam::tmp<Foam::volVectorField> viscousStresses() const;
     void predictVelocity(Foam::fvVectorMatrix& UEqn);
     Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
     void correctPressure(const Foam::volVectorField& carried);

@@ -33,17 +33,10 @@ tmp<fvVectorMatrix> AirFlow::viscosity()
     {
         return turbulence_->divDevRhoReff(U_);
     }
+    // The powder must feel the same: one part of the velocity as it is here, the other one as it is predicted.
     const volScalarField nuEff(turbulence_->nuEff());
-    return alpha_*fvm::Su(-fvc::div(nuEff*dev2(T(fvc::grad(U_))), "div(nuEff*dev2(T(grad(U))))"), U_)
-        - alpha_*fvm::laplacian(nuEff, U_, "laplacian(nuEff,U)");
-}
-
-// The same, of the velocity as it is.
-tmp<volVectorField> AirFlow::viscousStresses() const
-{
-    const volScalarField nuEff(turbulence_->nuEff());
-    return fvc::div(nuEff*dev2(T(fvc::grad(U_))), "div(nuEff*dev2(T(grad(U))))")
-        + fvc::laplacian(nuEff, U_, "laplacian(nuEff,U)");
+    *divTau_ = fvc::div(nuEff*dev2(T(fvc::grad(U_))), "div(nuEff*dev2(T(grad(U))))");
+    return alpha_*fvm::Su(-*divTau_, U_) - alpha_*fvm::laplacian(nuEff, U_, "laplacian(nuEff,U)");
 }
 
 tmp<volVectorField> AirFlow::stressGradient() const
@@ -59,6 +52,10 @@ void AirFlow::predictVelocity(fvVectorMatrix& UEqn)
 {
     StageClock::Scope timed(clock_, Stage::momentum);
     Foam::solve(UEqn == push_);
+    if (divTau_)
+    {
+        *divTau_ += fvc::laplacian(turbulence_->nuEff(), U_, "laplacian(nuEff,U)");
+    }
 }
 
 // What a cell would have of alpha^n U/dt if nothing pushed it: its momentum of the step before, and what

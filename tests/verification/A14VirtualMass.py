@@ -22,7 +22,7 @@ LIGHT = Powder(100e-6, 10.0, WATER, stokes)
 PERIODIC = ("periodic",)*3
 CLOSE = 1e-2
 CONSERVED = 1e-10
-ALONE = "virtualMass on; shearLift off; spinLift off;"
+ALONE = "virtualMass on; shearLift off; spinLift off; viscousForce off;"
 
 
 def response(powder):
@@ -118,7 +118,7 @@ def judgeChoice(bench):
     edge = 0.01
     for name, powder, called in (("auto, bead", LIGHT, True), ("auto, powder", Powder(law=stokes), False)):
         run = bench.run(Waves(name, Box((edge,)*3, (5,)*3, PERIODIC), powder, positions=[(edge/2,)*3],
-                              **settings(powder, 3, 0.1)), impulse=math.inf)
+                              effects="", **settings(powder, 3, 0.1)), impulse=math.inf)
         bench.equal(run, "told to be simulated", called, "virtualMass is simulated" in run.log, 0)
 
 

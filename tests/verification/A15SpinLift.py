@@ -16,7 +16,7 @@ from harness.case import Box, Case
 from harness.laws import GRAVITY, Powder, stokes
 
 DRIFT = 1e-2
-ALONE = "spinLift on; shearLift off;"
+ALONE = "spinLift on; shearLift off; virtualMass off; viscousForce off;"
 SLOW = Powder(20e-6, 1000.0, law=stokes)
 
 

@@ -21,7 +21,7 @@ def scene(name, powder, height=0.01, **options):
     edge = 0.01
     sides = ("periodic",)*3 if "U" in options else ("noSlip",)*3
     return Case(name, Box((edge, edge, height), (5, 5, 5), sides), powder, positions=[(edge/2, edge/2, height/2)],
-                **{"gravity": (0, 0, -GRAVITY), "effects": "virtualMass off;", "deltaT": 1e-6, "endTime": 5e-5, **options})
+                **{"gravity": (0, 0, -GRAVITY), "deltaT": 1e-6, "endTime": 5e-5, **options})
 
 
 def verify(bench):

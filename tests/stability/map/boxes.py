@@ -32,7 +32,7 @@ def box(name, stiffness=plugs.CHOSEN, density=6000, ratio=1, chosen=False, lifte
     dt = stiffness*tau
     substeps = math.ceil(dt/DEM_STEP)
     size = (n*cell,)*3
-    case = Case(name, Box(size, (n,)*3, ("noSlip",)*3), powder, k=K, gravity=(0, 0, -GRAVITY),
+    case = Case(name, Box(size, (n,)*3, ("noSlip",)*3), powder, k=K, effects="", gravity=(0, 0, -GRAVITY),
                 airGravity=(0, 0, -GRAVITY), minimum=plugs.FLOOR, adjustTimeStep=chosen, deltaT=dt,
                 subSteps=substeps, endTime=STEPS*dt)
     case.positions = [tuple((i + 0.5)*spacing for i in site) for site in (

@@ -83,7 +83,8 @@ class Case:
         self.writeInterval = None
         self.timeStep = ""
         self.air = "on"
-        self.effects = ""
+        # Most closed forms know drag and pressure only. With an empty text all effects are auto.
+        self.effects = "shearLift off; spinLift off; virtualMass off; viscousForce off;"
         self.pressureTolerance = 1e-12
         self.correctors = 1
         self.outer = 1
