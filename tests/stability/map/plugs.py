@@ -82,7 +82,7 @@ def plug(name, stiffness=CHOSEN, density=6000, void=0.4, k=4, ratio=None, width=
     pull = min(GRAVITY, room*grid.cell/(tau*end)/(1 - 1/density))
     box = Box(tuple(n*grid.cell for n in cells), cells,
               ("periodic", "periodic", ("noSlip", "outlet")))
-    case = Case(name, box, powder, k=k, effects="", motion="tied" if tied else "free", minimum=FLOOR,
+    case = Case(name, box, powder, k=k, effects="virtualMass off;", motion="tied" if tied else "free", minimum=FLOOR,
                 gravity=(0, 0, -pull), airGravity=(0, 0, -pull), adjustTimeStep=chosen, deltaT=dt,
                 subSteps=SUBSTEPS, endTime=end, writeInterval=end,
                 smoothingWidth=smoothing*k*DIAMETER,
