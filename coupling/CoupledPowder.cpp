@@ -196,7 +196,7 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
 void CoupledPowder::fall()
 {
     StageClock::Scope timed(clock_, Stage::dem);
-    dem_->advance(timeStep_->demSteps());
+    dem_->advanceWithoutAir(timeStep_->demSteps());
     refreshState();
 }
 

@@ -236,6 +236,19 @@ void DemEngine::setTimeStep(double dt)
 
 void DemEngine::advance(long steps)
 {
+    const long long last = stepsDone() + std::max(steps, 0L);
+    goOn(steps, [this, last] { implementation_->air->begin(last); });
+    implementation_->air->end();
+}
+
+void DemEngine::advanceWithoutAir(long steps)
+{
+    goOn(steps, [] {});
+}
+
+template<class Begin>
+void DemEngine::goOn(long steps, const Begin& begin)
+{
     assert(implementation_->coupled());
     if (steps <= 0)
     {
@@ -245,9 +258,8 @@ void DemEngine::advance(long steps)
     {
         implementation_->setUp();
     }
-    implementation_->air->begin(stepsDone() + steps);
+    begin();
     implementation_->liggghts.goOn(steps);
-    implementation_->air->end();
 }
 
 std::vector<std::string> DemEngine::meshWalls() const

@@ -214,6 +214,9 @@ public:
     /// follow the path of one uninterrupted LIGGGHTS run to the last bit.
     void advance(long steps);
 
+    /// The same in a vacuum, at no cost for an air that was never given.
+    void advanceWithoutAir(long steps);
+
     // Walls
 
     /// Ids of the mesh walls (fix mesh/surface...), in the order of the script. Local.
@@ -238,6 +241,8 @@ public:
 
 private:
     void prepare();
+    template<class Begin>
+    void goOn(long steps, const Begin& begin);
 
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

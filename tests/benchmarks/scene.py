@@ -62,7 +62,7 @@ class Scene:
     """One folder; `number` holds the case's parameters and what follows from them."""
 
     def __init__(self, name, **changes):
-        words = [f"{key}={value:.12g}" for key, value in changes.items()]
+        words = [f"{key}={value if isinstance(value, str) else format(value, '.12g')}" for key, value in changes.items()]
         subprocess.run([dieFilling/"variant", f"benchmark{name}", *words], check=True,
                        stdout=subprocess.DEVNULL)
         self.folder = dieFilling/f"variants/benchmark{name}"
@@ -94,9 +94,9 @@ class Scene:
         return ["mpirun", "-np", self.ranks, "demPimpleFoam", "-parallel"]
 
 
-def slice_(name, window, deltaT=None):
+def slice_(name, window, deltaT=None, **changes):
     """The slice as the case has it, with its poured bed."""
-    scene = Scene(name)
+    scene = Scene(name, **changes)
     shell(["./prepare"], scene.folder)
     control(scene.folder, window, deltaT)
     scene.mesh()
