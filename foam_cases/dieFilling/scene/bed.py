@@ -21,6 +21,7 @@ POURING = """particleDiameter particleDensity coarseGraining powderHeight bed se
     poissonsRatio restitution friction wallFriction rollingFriction rollingModel wallYoungsModulus
     wallRestitution settleTime boundaryY demXLow demXHigh demYLow demYHigh demZLow demZHigh shoeXLow
     shoeXHigh shoeYLow shoeYHigh bedParcels referenceParcels overDie""".split()
+COHESION = "cohesionEnergyDensity", "wallCohesionEnergyDensity"
 
 
 class Bed:
@@ -31,6 +32,8 @@ class Bed:
         self.folder, self.pours = case/"preparation", pours
         number = lambda v: f"{v:.9g}" if isinstance(v, (int, float)) else v
         self.key = "".join(f"{k} {number(values[k])}\n" for k in POURING)
+        if values["cohesionEnergyDensity"]:
+            self.key += "".join(f"{k} {number(values[k])}\n" for k in COHESION)
         if values["sizeDistribution"] != "mono":
             self.key += pours
         for name in ("die", "shoe"):
