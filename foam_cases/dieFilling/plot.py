@@ -80,12 +80,11 @@ def filling(d):
 
 def stations(d):
     """When the shoe's walls pass the edges of the die."""
-    when = lambda travel: travel/d["shoeSpeed"] + 0.5*d["rampTime"]
     length, front, rear = d["dieLength"], d["shoeXHigh"], d["shoeXLow"]
-    return [(when(-front), "front wall reaches the die"),
-            (when(length - front), "front wall has crossed"),
-            (when(-rear), "rear wall reaches the die"),
-            (when(length - rear), "rear wall has crossed")]
+    passed = ((-front, "front wall reaches the die"), (length - front, "front wall has crossed"),
+              (-rear, "rear wall reaches the die"), (length - rear, "rear wall has crossed"))
+    moments = [(d["path"].when(travel), text) for travel, text in passed]
+    return [(time, text) for time, text in moments if time is not None]
 
 
 def sections(d):

@@ -116,6 +116,51 @@ Errors errorsOf(const CommandLine& line)
     return line.has("trustErrors") ? Errors::trusted : Errors::fromPackings;
 }
 
+// What a table says that has no plane of critical sizes: those of its series, and the plane of the filling ratio.
+void reportWithoutCriticalSize(const ResultsTable& table, double threshold, Errors errors, std::ostream& out)
+{
+    FillingFit fit{};
+    fit.model.threshold = threshold;
+    fit.series = seriesOf(table);
+    for (const Series& series : fit.series)
+    {
+        fit.critical.push_back(criticalSizeRatio(series, threshold));
+    }
+    fit.ratioPoints = ratioPointsOf(fit.series);
+    if (errors == Errors::trusted)
+    {
+        trustErrors(fit.ratioPoints);
+    }
+    out << tableReport(table, fit) << '\n' << seriesReport(fit) << '\n';
+    const Plane plane = fitPlane(PlaneOf::fillingRatio, fit.ratioPoints, table.file);
+    out << planeReport(PlaneOf::fillingRatio, plane)
+        << residualReport(PlaneOf::fillingRatio, plane, fit.ratioPoints) << '\n'
+        << leaveOutReport(PlaneOf::fillingRatio,
+               leaveOutEach(PlaneOf::fillingRatio, fit.ratioPoints, table.file))
+        << '\n';
+}
+
+FillingFit fitOrReport(const ResultsTable& table, double threshold, Errors errors, std::ostream& out)
+{
+    try
+    {
+        return fitFillingModel(table, threshold, errors);
+    }
+    catch (const InputError& noCriticalSize)
+    {
+        const InputError kept = noCriticalSize;
+        try
+        {
+            reportWithoutCriticalSize(table, threshold, errors, out);
+        }
+        catch (const InputError&)
+        {
+            // Nor that one: the first reason is told.
+        }
+        throw kept;
+    }
+}
+
 void fitCommand(const std::vector<std::string>& words, std::ostream& out)
 {
     const CommandLine line(words, {"measure", "threshold", "leaveOut", "output"}, {"trustErrors"});
@@ -128,7 +173,7 @@ void fitCommand(const std::vector<std::string>& words, std::ostream& out)
 
     const std::string measure = line.text("measure", "fillingRatioPassed");
     const ResultsTable table = readResults(line.file(), measure);
-    const FillingFit fit = fitFillingModel(table, threshold, errorsOf(line));
+    const FillingFit fit = fitOrReport(table, threshold, errorsOf(line), out);
     const FillingModel& model = fit.model;
     out << tableReport(table, fit) << '\n'
         << seriesReport(fit) << '\n'

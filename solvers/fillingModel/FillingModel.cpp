@@ -15,6 +15,8 @@ const char* pointName(PlaneOf kind)
                                          : "rows that are neither empty nor full";
 }
 
+} // namespace
+
 void trustErrors(std::vector<PlanePoint>& points)
 {
     for (PlanePoint& point : points)
@@ -22,8 +24,6 @@ void trustErrors(std::vector<PlanePoint>& points)
         point.fit.packings = 0;
     }
 }
-
-} // namespace
 
 std::vector<std::string> groupNames(PlaneOf kind)
 {

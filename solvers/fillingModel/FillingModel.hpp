@@ -91,6 +91,9 @@ enum class Errors
 FillingFit fitFillingModel(
     const ResultsTable& table, double threshold, Errors errors = Errors::fromPackings);
 
+/// Takes the standard errors of points as exact.
+void trustErrors(std::vector<PlanePoint>& points);
+
 /// The points of the two planes.
 std::vector<PlanePoint> criticalPointsOf(const std::vector<CriticalSizeRatio>& critical);
 std::vector<PlanePoint> ratioPointsOf(const std::vector<Series>& series);

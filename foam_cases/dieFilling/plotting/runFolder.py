@@ -6,21 +6,20 @@ from xml.etree import ElementTree
 import numpy as np
 
 import parameters
+import shoePath
 
 TIME = re.compile(rb"TimeValue 1 1 \w+\s+(\S+)")
 
 
 def derived(folder):
-    """Parameters and what follows from them: key -> number or word."""
-    return parameters.read(folder/"system/caseParameters", folder/"system/caseDerived")
+    """Parameters and what follows from them: key -> number or word; and path, the shoe's (scene/shoePath.py)."""
+    d = parameters.read(folder/"system/caseParameters", folder/"system/caseDerived")
+    return {**d, "path": shoePath.read(folder, d)}
 
 
 def shoeAt(d, t):
-    """Travel [m]: half a cosine of ramp, then full speed."""
-    v, ramp = d["shoeSpeed"], d["rampTime"]
-    s = min(t, ramp)
-    risen = 0.5*(s - ramp/np.pi*np.sin(np.pi*s/ramp)) if ramp > 0 else 0
-    return v*(risen + max(0, t - ramp))
+    """Travel [m]."""
+    return (d.get("path") or shoePath.Ramped(d)).at(t)
 
 
 def instants(folder, name="VTK"):

@@ -7,15 +7,17 @@ import math
 
 import numpy as np
 
+import shoePath
 import stl
 from wrong import refuse
 
 
-def rig(p):
-    """Key -> number or vector, for every other dictionary: where things stand."""
+def rig(p, path=None):
+    """Key -> number or vector, for every other dictionary: where things stand. path: the shoe's, if not by its speed."""
+    path = path or shoePath.Ramped(p)
     d = {"rig": "full" if p["sliceWidth"] <= 0 else "slice"}
     d["boundaryY"] = "f" if d["rig"] == "full" else "p"
-    shoe(p, d)
+    shoe(p, d, path)
     mesh(p, d)
     measured(p, d)
     d["hertzFraction"] = 0.75*p["rayleighFraction"]
@@ -30,7 +32,7 @@ def powder(p, d, given, sizes):
     parcels(p, d, given["die"], sizes)
 
 
-def shoe(p, d):
+def shoe(p, d, path):
     """The shoe starts short of the die and stops beyond it, clear by a few parcels."""
     clear, wall = 1e-3, p["shoeWallThickness"]
     if p["powderHeight"] >= p["shoeHeight"]:
@@ -42,9 +44,21 @@ def shoe(p, d):
     d["shoeYHigh"] = 0.5*(p["shoeWidth"] if d["rig"] == "full" else p["sliceWidth"])
     d["shoeYLow"] = -d["shoeYHigh"]
     d["travel"] = p["dieLength"] + wall + clear - d["shoeXLow"]
-    d["endTime"] = round(d["travel"]/p["shoeSpeed"] + 0.5*p["rampTime"], 4)
+    d["endTime"] = endTime(p, d, path)
     d["pictureInterval"] = d["endTime"]/p["pictures"]
     d["overDie"] = 0.5*p["dieLength"] - 0.5*(d["shoeXLow"] + d["shoeXHigh"])
+
+
+def endTime(p, d, path):
+    """When the shoe has passed, or its table ends; in the room that there is."""
+    if isinstance(path, shoePath.Ramped):
+        return round(path.when(d["travel"]), 4)
+    low, high = path.farthest()
+    if low < -1e-9 or high > d["travel"] + 1e-9:
+        refuse("The shoe must stay in the room that it crosses.",
+               f"from {low:.6g} to {high:.6g} m   shoePath {p['shoePath']}",
+               f"0 to {d['travel']:.6g} m, from where it stands to beyond the die", "Correct the table.")
+    return path.end
 
 
 def mesh(p, d):

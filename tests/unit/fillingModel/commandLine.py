@@ -79,6 +79,12 @@ class CommandLine(unittest.TestCase):
         self.says(self.run_("fit", EXAMPLE, "--output", "/no/such/folder/m.json", code=1),
                   "cannot be written")
 
+    def test_a_table_without_critical_sizes_gives_the_plane_of_the_filling_ratio(self):
+        ended = subprocess.run([PROGRAM, "fit", EXAMPLE, "--threshold", "0.999"], capture_output=True, text=True)
+        self.assertEqual(ended.returncode, 1)
+        self.says(ended.stderr, "too few series")
+        self.says(ended.stdout, "filling ratio = s0", "R^2", "Left out: filling ratio")
+
     def test_predict_gives_the_critical_size(self):
         self.says(self.fit(), "Model written to")
         text = self.run_("predict", self.model, *INSIDE)
