@@ -11,6 +11,7 @@ Lines that begin with # are left out. The run ends with the last row.
 """
 import numpy as np
 
+import csvLines
 from wrong import refuse, word
 
 MOST = 25  # rows: a line of LIGGGHTS holds no more, and it evaluates all of them in every step
@@ -81,8 +82,7 @@ def table(path, name):
     if not path.is_file():
         refuse("The table of the shoe's path is not there.", f"shoePath {name}   system/caseParameters", f"a file {path}",
                "Correct shoePath, or set it to none.")
-    lines = [(i, line.split("#")[0].strip()) for i, line in enumerate(path.read_text(errors="replace").splitlines(), 1)]
-    lines = [(i, [cell.strip() for cell in line.split(",")]) for i, line in lines if line]
+    lines = csvLines.read(path)
     head = lines[0][1] if lines else []
     if len(head) != 2 or head[0] != "time":
         refuse("The first line of a table of the shoe's path names its columns.", f"{','.join(head)}   {name}",

@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+import csvLines
 from wrong import refuse, word
 
 COLUMNS = ("massFraction", "numberFraction", "massFiner", "numberFiner")
@@ -46,9 +47,7 @@ def read(path, name):
     if not path.is_file():
         refuse("The table of particle sizes is not there.", f"sizeTable {name}   system/caseParameters",
                f"a file {path}", "Correct sizeTable, or choose another sizeDistribution than table.")
-    lines = [(i, line.split("#")[0].strip()) for i, line in
-             enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1)]
-    lines = [(i, [cell.strip() for cell in line.split(",")]) for i, line in lines if line]
+    lines = csvLines.read(path)
     head = lines[0][1] if lines else []
     if len(head) != 2 or head[0] != "diameter":
         refuse("The first line of a table of particle sizes names its columns.", f"{','.join(head)}   {name}",
