@@ -51,7 +51,7 @@ def drawn(bench, name, k, numbers, wall):
     step = 1e-7*k
     steps = round(1.1*away/spheres[-1][4][2]/step)
     run = Run(bench, name, "pulled.in", spheres, ((-d, -d, -0.5*d), (d, d, 4*d)), (step, steps, max(1, steps//4000)), 2,
-              contacts=ROOT/"liggghts_scripts/contacts.in", plane=int(wall), youngsModulus=1e7, wallYoungsModulus=1e7,
+              contacts=ROOT/"liggghts_scripts/contacts.in", plane=int(wall), youngsModulus=1e7, wallYoungsModulus=3e7,
               poissonsRatio=0.3, restitution=1, wallRestitution=1, friction=0.67, rollingFriction=0.218,
               rollingModel="epsd2", particleDensity=DENSITY, parcelRadius=d/2,
               **{key: numbers[key] for key in ("cohesionModel", "cohesionEnergyDensity", "wallCohesionEnergyDensity")})
@@ -60,7 +60,8 @@ def drawn(bench, name, k, numbers, wall):
 
 def verify(bench):
     for rule, k in (("none", 1), ("stress", 10), ("weight", 10)):
-        numbers, _ = prepared(bench, f"{rule}{k}", "cohesion=on", f"coarseGraining={k}", f"cohesionScaling={rule}")
+        numbers, _ = prepared(bench, f"{rule}{k}", "cohesion=on", f"coarseGraining={k}", f"cohesionScaling={rule}",
+                              "wallYoungsModulus=3e7")
         for wall in (False, True):
             run, pull = drawn(bench, f"k {k}, {rule}, {'wall' if wall else 'pair'}", k, numbers, wall)
             bench.near(run, "largest pull [N]", k**SCALES.get(rule, 0)*FORCE, pull, PULL)
