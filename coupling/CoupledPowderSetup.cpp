@@ -89,7 +89,8 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     chooseAir(wish, air);
     readSolids(p.sub("solids"));
     forces_ = std::make_unique<ParcelForces>(
-        mesh, p.sub("effects"), coarseGraining_, Parameters(powder).where("coarseGraining"), effects_);
+        Scene{mesh, *dem_, coarseGraining_, Parameters(powder).where("coarseGraining"), solidWalls_},
+        p.sub("effects"), effects_);
     forces_->start(density_, *dem_, mesh_.time().value());
     p.allGroupsKnown();
     checkScene();

@@ -143,7 +143,8 @@ public:
 
     bool hasBox() const;
     bool hasIntegrator() const;   ///< a fix that moves particles, such as nve/sphere
-    bool hasGranularPair() const; ///< pair_style gran
+    bool hasCohesion() const; ///< a cohesion model of pair_style gran
+    bool hasRollingFriction() const; ///< a model of rolling friction of pair_style gran
     bool hasWalls() const;        ///< a fix wall/gran of any kind
     DemBox box() const;           ///< only if hasBox()
 

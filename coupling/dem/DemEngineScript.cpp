@@ -7,6 +7,7 @@
 #include <fix_property_global.h>
 #include <force.h>
 #include <modify.h>
+#include <pair_gran.h>
 
 #include <algorithm>
 #include <cstring>
@@ -25,6 +26,15 @@ bool anyFix(LAMMPS_NS::LAMMPS& lammps, const std::function<bool(const LAMMPS_NS:
         [&is](const LAMMPS_NS::Fix* fix) { return is(*fix); });
 }
 
+// Of a granular pair style: normal, tangential, cohesion, rolling, surface. LIGGGHTS names a model of each by six bits of
+// one number, which are zero where there is none (contact_models.h).
+bool contactPart(LAMMPS_NS::LAMMPS& lammps, int place)
+{
+    constexpr int bits = 6;
+    auto* pair = dynamic_cast<LAMMPS_NS::PairGran*>(lammps.force->pair);
+    return pair && ((pair->hashcode() >> (bits*place)) & ((1 << bits) - 1)) != 0;
+}
+
 } // namespace
 
 bool DemEngine::hasBox() const
@@ -38,10 +48,14 @@ bool DemEngine::hasIntegrator() const
         [](const LAMMPS_NS::Fix& fix) { return fix.time_integrate != 0; });
 }
 
-bool DemEngine::hasGranularPair() const
+bool DemEngine::hasCohesion() const
 {
-    LAMMPS_NS::Force& force = *implementation_->liggghts.lammps().force;
-    return force.pair && force.pair_match("gran", 0);
+    return contactPart(implementation_->liggghts.lammps(), 2);
+}
+
+bool DemEngine::hasRollingFriction() const
+{
+    return contactPart(implementation_->liggghts.lammps(), 3);
 }
 
 bool DemEngine::hasWalls() const

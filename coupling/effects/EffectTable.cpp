@@ -16,7 +16,7 @@ std::string line(const std::string& effect, const std::string& state, const std:
     const std::string& number, const std::string& limit)
 {
     char text[200];
-    std::snprintf(text, sizeof text, "    %-14s %-6s %-7s %9s %7s", effect.c_str(), state.c_str(), by.c_str(),
+    std::snprintf(text, sizeof text, "    %-16s %-6s %-7s %9s %7s", effect.c_str(), state.c_str(), by.c_str(),
         number.c_str(), limit.c_str());
     return text;
 }
@@ -71,7 +71,7 @@ std::string EffectTable::meet(std::size_t place, double value, double time)
         effect.on = true;
         return effect.key + " is simulated from " + shown(time) + " s on: " + why + ".";
     case Effect::Wish::off:
-        return effect.key + " is off, and would matter: " + why + ".";
+        return effect.key + (effect.on ? " is not simulated everywhere" : " is off") + ", and would matter: " + why + ".";
     case Effect::Wish::on:
         break;
     }

@@ -46,7 +46,7 @@ public:
     bool on(std::size_t place) const { return effects_[place].on; }
 
     /// The number as it is at a time [s]. Returns what the user is to be told, once: that the effect
-    /// is on from now, or that one which was switched off is called for. Else empty.
+    /// is on from now, or that one which is not wished, or not everywhere, is called for. Else empty.
     std::string meet(std::size_t place, double value, double time);
 
     const std::vector<Effect>& effects() const { return effects_; }

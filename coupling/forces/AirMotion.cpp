@@ -31,13 +31,28 @@ const volVectorField& AirMotion::vorticity()
 
 double AirMotion::largestViscousForce() const
 {
-    const volVectorField slowed(fvc::laplacian(nu, U_, "laplacian(nuEff,U)"));
+    return density*largestInPowder(fvc::laplacian(nu, U_, "laplacian(nuEff,U)"));
+}
+
+double AirMotion::largestPressureForce() const
+{
+    return density*largestInPowder(fvc::grad(pressure()));
+}
+
+double AirMotion::largestInPowder(const volVectorField& field) const
+{
     double largest = 0;
     for (const int celli : onMesh.cells())
     {
-        largest = max(largest, density*mag(slowed[celli]));
+        largest = max(largest, mag(field[celli]));
     }
     return returnReduce(largest, maxOp<double>());
+}
+
+// Over density.
+const volScalarField& AirMotion::pressure() const
+{
+    return U_.db().lookupObject<volScalarField>("p");
 }
 
 double AirMotion::largestReynolds(double length) const
@@ -55,7 +70,7 @@ double AirMotion::largestReynolds(double length) const
 
 double AirMotion::largestPressure() const
 {
-    return density*gMax(mag(U_.db().lookupObject<volScalarField>("p").primitiveField())());
+    return density*gMax(mag(pressure().primitiveField())());
 }
 
 std::vector<Packed<5>> AirMotion::atParcels(List<Packed<5>>&& cells) const

@@ -40,6 +40,9 @@ public:
     /// mu div(grad(u)), largest where there is powder, over all ranks [Pa/m].
     double largestViscousForce() const;
 
+    /// grad(p), largest where there is powder, over all ranks [Pa/m].
+    double largestPressureForce() const;
+
     /// Of the fastest air outside of beds, with a length [m]; over all ranks.
     double largestReynolds(double length) const;
 
@@ -52,6 +55,8 @@ public:
     const std::vector<Foam::vector>& acceleration();
 
 private:
+    double largestInPowder(const Foam::volVectorField& field) const;
+    const Foam::volScalarField& pressure() const;
     std::vector<Packed<5>> atParcels(Foam::List<Packed<5>>&& cells) const;
 
     const Foam::volVectorField& U_;

@@ -33,28 +33,26 @@ void requireGrains(double coarseGraining, const std::string& key, const std::str
 
 } // namespace
 
-ParcelForces::ParcelForces(
-    const fvMesh& mesh, const dictionary& effects, double coarseGraining, const std::string& coarseGrainingAt,
-    EffectTable& table)
+ParcelForces::ParcelForces(const Scene& scene, const dictionary& effects, EffectTable& table)
 :
     table_(table)
 {
     const Parameters p(effects);
     const auto wish = [&p](const char* key) { return EffectTable::wish(p.name(key, "auto"), p.where(key)); };
 
-    add(std::make_unique<ShearLift>(coarseGraining), wish("shearLift"));
+    add(std::make_unique<ShearLift>(scene.coarseGraining), wish("shearLift"));
     virtualMass_ = add(std::make_unique<VirtualMass>(), wish("virtualMass"));
     viscous_ = add(std::make_unique<ViscousForce>(), wish("viscousForce"));
     const Effect::Wish spin = wish("spinLift");
     if (spin == Effect::Wish::on)
     {
-        requireGrains(coarseGraining, p.where("spinLift"), coarseGrainingAt);
+        requireGrains(scene.coarseGraining, p.where("spinLift"), scene.coarseGrainingAt);
     }
-    if (coarseGraining <= 1)
+    if (scene.coarseGraining <= 1)
     {
         add(std::make_unique<SpinLift>(), spin);
     }
-    others_ = std::make_unique<CaseEffects>(mesh, p, table);
+    others_ = std::make_unique<CaseEffects>(scene, p, table);
     p.allKnown();
 }
 
@@ -102,7 +100,7 @@ void ParcelForces::look(AirMotion& air, const DemEngine& dem, double time)
     {
         tell(table_, entry.place, entry.force->number(air, dem), time);
     }
-    others_->look(air, dem, time);
+    others_->look(air, time);
 }
 
 void ParcelForces::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Time& time)

@@ -18,11 +18,10 @@ class ParcelForces
 {
 public:
     /// Reads `effects`: a key a force, auto, on or off. Throws InputError for another key or word, and if grains
-    /// of parcels are asked to do what only lone grains can; `coarseGrainingAt` is where k stands. Local.
+    /// of parcels are asked to do what only lone grains can. Local.
     ///
-    /// Adds rows to `table`, which must outlive this.
-    ParcelForces(const Foam::fvMesh& mesh, const Foam::dictionary& effects, double coarseGraining,
-        const std::string& coarseGrainingAt, EffectTable& table);
+    /// Adds rows to `table`, which must outlive this, as `scene.dem` must.
+    ParcelForces(const Scene& scene, const Foam::dictionary& effects, EffectTable& table);
     ~ParcelForces();
 
     /// Collective. Decides what is known before the air has moved. `density` of the air [kg/m3], `time` [s].

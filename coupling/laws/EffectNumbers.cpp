@@ -60,6 +60,17 @@ double rarefiedShare(double diameter, double meanFreePath)
     return 2.52*meanFreePath/diameter;
 }
 
+double meanFreePath(double gasDensity, double gasViscosity, double pressure)
+{
+    return gasViscosity*std::sqrt(pi/(2*pressure*gasDensity));
+}
+
+double wallDriveShare(
+    double speed, double diameter, double gasViscosity, double particleDensity, double gravity)
+{
+    return 18*gasViscosity*speed/(particleDensity*gravity*diameter*diameter);
+}
+
 double bondNumber(double hamaker, double asperityRadius, double gap, double diameter,
     double particleDensity, double gravity)
 {

@@ -73,6 +73,20 @@ constexpr double largestViscousForceShare = 0.01;
 double rarefiedShare(double diameter, double meanFreePath);
 constexpr double largestRarefiedShare = 0.05;
 
+/// Mean free path of an ideal gas' molecules, mu sqrt(pi/(2 p rho)) [m].
+///
+/// S.G. Jennings, J. Aerosol Sci. 19 (1988) 159-166, with mu = rho c lambda/2, c the mean speed of a molecule.
+///
+/// @param pressure p, absolute [Pa]
+double meanFreePath(double gasDensity, double gasViscosity, double pressure);
+
+/// Stokes' drag of air that goes with a wall over a grain's weight, 18 mu v/(rho_p g d^2).
+///
+/// @param speed v, of the wall [m/s]
+double wallDriveShare(
+    double speed, double diameter, double gasViscosity, double particleDensity, double gravity);
+constexpr double largestWallDriveShare = 0.01;
+
 /// Van der Waals force of an asperity over a grain's weight, A r/(6 z0^2)/(m g).
 ///
 /// H.C. Hamaker, Physica 4 (1937) 1058-1072.

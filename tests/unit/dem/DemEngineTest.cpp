@@ -59,12 +59,18 @@ TEST(DemEngine, TellsWhatTheScriptDefined)
 {
     const auto dem = coupledScene("bed.in");
 
-    EXPECT_TRUE(dem->hasBox() && dem->hasIntegrator() && dem->hasGranularPair());
+    EXPECT_TRUE(dem->hasBox() && dem->hasIntegrator());
+    EXPECT_FALSE(dem->hasCohesion() || dem->hasRollingFriction());
     EXPECT_TRUE(dem->hasWalls());
     EXPECT_FALSE(coupledScene("cloud.in")->hasWalls());
     EXPECT_EQ(dem->materialProperty("youngsModulus"), std::vector<double>{5e6});
     EXPECT_EQ(dem->materialProperty("coefficientFriction"), std::vector<double>{0.5});
     EXPECT_TRUE(dem->materialProperty("cohesionEnergyDensity").empty());
+    dem->command("fix more all property/global cohesionEnergyDensity peratomtypepair 1 1e3");
+    dem->command("pair_style gran model hertz tangential history cohesion sjkr2");
+    EXPECT_TRUE(dem->hasCohesion() && !dem->hasRollingFriction());
+    dem->command("pair_style gran model hertz tangential history rolling_friction cdt");
+    EXPECT_TRUE(!dem->hasCohesion() && dem->hasRollingFriction());
     EXPECT_EQ(dem->timeStep(), 1e-5);
     EXPECT_EQ(dem->box().high, (Vector3{0.08, 0.08, 0.08}));
     EXPECT_FALSE(dem->box().periodic[0]);

@@ -45,6 +45,15 @@ TEST(EffectTable, AUserWhoIsWrongIsToldOnceAndObeyed)
     EXPECT_FALSE(table.on(0));
 }
 
+TEST(EffectTable, AnEffectMayBeOnAndMissingSomewhere)
+{
+    EffectTable table;
+    table.add({"walls", "speed of an unseen one", 0.1, Effect::Wish::off, 0, true});
+    EXPECT_EQ(table.meet(0, 0.2, 1.0),
+        "walls is not simulated everywhere, and would matter: speed of an unseen one is 0.2, above 0.1.");
+    EXPECT_TRUE(table.on(0));
+}
+
 TEST(EffectTable, AUsersEffectIsOnFromTheStart)
 {
     EffectTable table = lift(Effect::Wish::on);
@@ -57,8 +66,8 @@ TEST(EffectTable, TellsWhoDecidedByWhichNumber)
     EffectTable table = lift(Effect::Wish::automatic);
     table.meet(0, 0.05, 0);
     EXPECT_EQ(table.text(),
-        "    effect                by         number   limit\n"
-        "    lift           off    number       0.05     0.1   lift over drag\n");
+        "    effect                  by         number   limit\n"
+        "    lift             off    number       0.05     0.1   lift over drag\n");
 }
 
 TEST(EffectTable, KnowsThreeWords)

@@ -77,6 +77,22 @@ TEST(EffectNumbers, TellThatFinePowderSticks)
 }
 
 // 1 m/s over 0.6 mm: 49.7 N/m3 against 72.2 kN/m3; 68 nm of mean free path: 0.43 % of the drag on 40 um.
+// Dry air of 20 degrees, 101325 Pa, 1.8193e-5 Pa s: 65.43 nm with a factor of 0.4987 in place of 1/2 (S.G. Jennings,
+// J. Aerosol Sci. 19 (1988) 159-166). At a tenth of the pressure, ten times as long.
+TEST(EffectNumbers, TellHowFarAMoleculeFlies)
+{
+    constexpr double expected = 65.43e-9*0.4987/0.5;
+
+    EXPECT_LT(near(meanFreePath(1.2042, 1.8193e-5, atmosphere), expected), 1e-3);
+    EXPECT_LT(near(meanFreePath(0.12042, 1.8193e-5, 0.1*atmosphere), 10*expected), 1e-3);
+}
+
+// Hard-metal powder of 40 um falls at 0.36 m/s by Stokes' law; a shoe of 0.15 m/s is 42 % of that.
+TEST(EffectNumbers, TellThatAWallBlowsGrainsAway)
+{
+    EXPECT_LT(near(wallDriveShare(0.15, 40e-6, airViscosity, 7360, 9.81), 0.4182), 1e-3);
+}
+
 TEST(EffectNumbers, TellWhatElseIsSmall)
 {
     EXPECT_LT(near(viscousForceShare(airViscosity, 1, 0.6e-3, 7360, gravity), 6.884e-4), 1e-3);
