@@ -6,6 +6,7 @@
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
 #include "coupling/forces/ParcelForces.hpp"
+#include "coupling/forces/tell.hpp"
 #include "coupling/laws/TimeScales.hpp"
 
 #include "PstreamReduceOps.H"
@@ -195,7 +196,12 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
 
 void CoupledPowder::fall()
 {
+    constexpr int lookEvery = 20; // steps
     StageClock::Scope timed(clock_, Stage::dem);
+    if (mesh_.time().timeIndex() % lookEvery == 1)
+    {
+        tell(effects_, airPlace_, airNumber(), mesh_.time().value());
+    }
     dem_->advanceWithoutAir(timeStep_->demSteps());
     refreshState();
 }

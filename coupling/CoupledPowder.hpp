@@ -120,8 +120,8 @@ private:
     std::optional<Checkpoint> checkpoint() const;
     void resume(const Checkpoint& before);
     Checkpoint record() const;
-    void chooseAir(const std::optional<AirCoupling>& wish, const AirAtStart& air);
-    double smallestSensitivity(const AirAtStart& air) const;
+    void chooseAir(const std::optional<AirCoupling>& wish, bool driven);
+    double airNumber() const;
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;
     void checkSmoothing(double width, const std::string& where) const;
@@ -137,7 +137,8 @@ private:
 
     Foam::fvMesh& mesh_;
     StageClock& clock_;
-    double density_;
+    double density_; // of the air [kg/m3]
+    double viscosity_; // at the start, largest [Pa s]
     AirCoupling air_ = AirCoupling::twoWay;
     bool resumed_ = false;
     bool checkpoints_ = true;
@@ -154,6 +155,7 @@ private:
     std::unique_ptr<ParticleExchange> exchange_;
     std::unique_ptr<TimeStepChoice> timeStep_;
     EffectTable effects_;
+    std::size_t airPlace_ = 0; // in that table
     std::unique_ptr<ParcelForces> forces_;
     PowderState state_;
 };

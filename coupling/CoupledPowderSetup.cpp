@@ -7,6 +7,7 @@
 #include "coupling/dem/DemEngine.hpp"
 #include "coupling/exchange/ParticleExchange.hpp"
 #include "coupling/forces/ParcelForces.hpp"
+#include "coupling/forces/tell.hpp"
 #include "coupling/laws/DimensionlessGroups.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/Parameters.hpp"
@@ -64,6 +65,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     mesh_(mesh),
     clock_(clock),
     density_(air.density),
+    viscosity_(air.density*gMax(air.nu.primitiveField())),
     lightest_(GREAT),
     state_(mesh)
 {
@@ -86,7 +88,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
         StageClock::Scope timed(clock_, Stage::dem);
         openDem(powder, before ? &*before : nullptr);
     }
-    chooseAir(wish, air);
+    chooseAir(wish, air.driven);
     readSolids(p.sub("solids"));
     forces_ = std::make_unique<ParcelForces>(
         Scene{mesh, *dem_, coarseGraining_, Parameters(powder).where("coarseGraining"), solidWalls_},
@@ -155,12 +157,12 @@ void CoupledPowder::openDem(const dictionary& dict, const Checkpoint* before)
     }
 }
 
-// Of the particle that feels the air most; zero as long as there is none.
-double CoupledPowder::smallestSensitivity(const AirAtStart& air) const
+// Critical over smallest sensitivity to air: of the particle that feels it most; infinite as long as there is none.
+double CoupledPowder::airNumber() const
 {
     DieFilling filling{};
-    filling.gasDensity = air.density;
-    filling.gasViscosity = air.density*gMax(air.nu.primitiveField());
+    filling.gasDensity = density_;
+    filling.gasViscosity = viscosity_;
     filling.gravity = mag(vector(dem_->gravity()[0], dem_->gravity()[1], dem_->gravity()[2]));
     double smallest = GREAT;
     const ParticleView view = dem_->particles();
@@ -170,32 +172,32 @@ double CoupledPowder::smallestSensitivity(const AirAtStart& air) const
         filling.particleDensity = view.mass[i]/(4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]));
         smallest = min(smallest, airSensitivity(filling));
     }
-    return dem_->particleCount() > 0 ? returnReduce(smallest, minOp<double>()) : 0;
+    reduce(smallest, minOp<double>());
+    return dem_->particleCount() > 0 ? criticalAirSensitivity/max(smallest, SMALL) : GREAT;
 }
 
-// By itself the air is left out if nothing but powder could move it, and the powder does not feel it.
-void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, const AirAtStart& air)
+// By itself the air is left out if nothing but powder could move it, and the powder does not feel it. Later it cannot be
+// had back: who would feel it then is told.
+void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool driven)
 {
-    const double zeta = smallestSensitivity(air);
+    const double number = airNumber();
     Effect effect{"air", "9.56e6 over zeta, the sensitivity to air", 1};
-    effect.wish = !wish ? Effect::Wish::automatic
-        : *wish == AirCoupling::none ? Effect::Wish::off : Effect::Wish::on;
-    effect.largest = criticalAirSensitivity/max(zeta, SMALL);
-    const bool felt = effect.askedFor();
-    air_ = wish ? *wish : felt || air.driven ? AirCoupling::twoWay : AirCoupling::none;
+    const bool felt = number > effect.limit;
+    air_ = wish ? *wish : felt || driven ? AirCoupling::twoWay : AirCoupling::none;
+    effect.wish = hasAir() ? wish ? Effect::Wish::on : Effect::Wish::automatic : Effect::Wish::off;
     effect.on = hasAir();
     effect.how = nameOf(air_);
-    effect.by = !wish && !felt && air.driven ? "drive" : "";
-    effects_.add(effect);
+    effect.by = wish ? "user" : !felt && driven ? "drive" : "number";
+    effect.largest = hasAir() ? number : 0;
+    airPlace_ = effects_.add(effect);
     if (!wish && !hasAir())
     {
-        Info<< "The air is left out: zeta is " << zeta << ", above " << criticalAirSensitivity
+        Info<< "The air is left out: zeta is " << criticalAirSensitivity/number << ", above " << criticalAirSensitivity
             << ", and nothing but powder could move it. Set air on to simulate it." << nl << endl;
     }
-    else if (!hasAir() && felt)
+    else if (!hasAir())
     {
-        Info<< "The air is left out, and would matter: zeta is " << zeta << ", below "
-            << criticalAirSensitivity << "." << nl << endl;
+        tell(effects_, airPlace_, number, mesh_.time().value());
     }
 }
 

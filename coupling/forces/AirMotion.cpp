@@ -3,6 +3,8 @@
 
 #include "fvc.H"
 
+#include <cmath>
+
 namespace interstice
 {
 
@@ -31,15 +33,22 @@ const volVectorField& AirMotion::vorticity()
 
 double AirMotion::largestViscousForce() const
 {
-    return density*largestInPowder(fvc::laplacian(nu, U_, "laplacian(nuEff,U)"));
+    return density*largestInPowder(fvc::laplacian(nu, U_, "laplacian(nuEff,U)")());
 }
 
 double AirMotion::largestPressureForce() const
 {
-    return density*largestInPowder(fvc::grad(pressure()));
+    return density*largestInPowder(fvc::grad(pressure())());
 }
 
-double AirMotion::largestInPowder(const volVectorField& field) const
+double AirMotion::largestFluctuation() const
+{
+    const auto* energy = U_.db().findObject<volScalarField>("k");
+    return energy ? std::sqrt(2*largestInPowder(*energy)/3) : 0;
+}
+
+template<class Field>
+double AirMotion::largestInPowder(const Field& field) const
 {
     double largest = 0;
     for (const int celli : onMesh.cells())

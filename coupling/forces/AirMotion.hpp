@@ -46,6 +46,9 @@ public:
     /// Of the fastest air outside of beds, with a length [m]; over all ranks.
     double largestReynolds(double length) const;
 
+    /// Of turbulence, sqrt(2 k/3), largest where there is powder, over all ranks; zero for laminar air [m/s].
+    double largestFluctuation() const;
+
     /// Of all cells, over all ranks [Pa].
     double largestPressure() const;
 
@@ -55,7 +58,8 @@ public:
     const std::vector<Foam::vector>& acceleration();
 
 private:
-    double largestInPowder(const Foam::volVectorField& field) const;
+    template<class Field>
+    double largestInPowder(const Field& field) const;
     const Foam::volScalarField& pressure() const;
     std::vector<Packed<5>> atParcels(Foam::List<Packed<5>>&& cells) const;
 

@@ -85,6 +85,9 @@ void CaseEffects::addOfTheAir(const Scene& scene, const Parameters& keys)
         mag(transport.getOrDefault<vector>("gravity", Zero)) > 0, "case", keys,
         "constant/transportProperties, key gravity",
         [this](AirMotion& air) { return dem_.gravity() == Vector3{} ? 0 : air.density/dem_.minimumDensity(); });
+    addFixed({"dispersion", "drag of turbulent fluctuations over weight", largestDispersionShare}, false, keys,
+        "Leave it out: it is not available.", [this](AirMotion& air)
+        { return stokesDragShare(air.largestFluctuation(), smallestGrain(), viscosity(air), weight(), 1); });
     addFixed({"history", "Basset's force over Stokes' drag", largestHistoryShare}, false, keys,
         "Leave it out: it is not available.",
         [this](AirMotion& air) { return historyShare(1, 1, dem_.minimumDensity()/(18*air.density)); });
@@ -96,10 +99,10 @@ void CaseEffects::addOfTheAir(const Scene& scene, const Parameters& keys)
 
 void CaseEffects::addOfThePowder(const Parameters& keys)
 {
-    Effect walls{"movingWalls", "drag at the speed of an unseen wall over weight", largestWallDriveShare};
+    Effect walls{"movingWalls", "drag at the speed of an unseen wall over weight", largestUnseenWallShare};
     walls.wish = Effect::Wish::off; // of any other wall than those that are seen
     addChosen(walls, !seen_.empty(), "case", keys, "the group solids", [this](AirMotion& air)
-        { return wallDriveShare(fastestUnseen(), smallestGrain(), viscosity(air), weight(), 1); });
+        { return stokesDragShare(fastestUnseen(), smallestGrain(), viscosity(air), weight(), 1); });
     addChosen({"rollingFriction", "coefficient, largest", 0}, dem_.hasRollingFriction(), "script", keys,
         "the contact model of the LIGGGHTS script", [this](AirMotion&) { return largestRollingFriction(dem_); });
     addChosen({"cohesion", "Bond number of asperities of 0.1 um, A = 1e-19 J", largestBondNumber}, dem_.hasCohesion(),

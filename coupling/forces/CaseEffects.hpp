@@ -35,6 +35,7 @@ struct Scene
 /// `airGravity`      gravity of constant/transportProperties; weight of the air over that of the lightest particle
 /// `rollingFriction` contact model of the LIGGGHTS script; coefficient
 /// `cohesion`        contact model of the LIGGGHTS script; van der Waals force of an asperity of 0.1 um over weight
+/// `dispersion`      by turbulence, of drag; not available
 /// `history`         Basset's force; not available
 /// `rarefaction`     slip of a gas on grains not much larger than its mean free path; not available
 class CaseEffects

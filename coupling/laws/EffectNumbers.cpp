@@ -65,7 +65,7 @@ double meanFreePath(double gasDensity, double gasViscosity, double pressure)
     return gasViscosity*std::sqrt(pi/(2*pressure*gasDensity));
 }
 
-double wallDriveShare(
+double stokesDragShare(
     double speed, double diameter, double gasViscosity, double particleDensity, double gravity)
 {
     return 18*gasViscosity*speed/(particleDensity*gravity*diameter*diameter);

@@ -80,12 +80,13 @@ constexpr double largestRarefiedShare = 0.05;
 /// @param pressure p, absolute [Pa]
 double meanFreePath(double gasDensity, double gasViscosity, double pressure);
 
-/// Stokes' drag of air that goes with a wall over a grain's weight, 18 mu v/(rho_p g d^2).
+/// Stokes' drag at a slip over a grain's weight, 18 mu v/(rho_p g d^2): of air that a wall takes along, or of turbulence.
 ///
-/// @param speed v, of the wall [m/s]
-double wallDriveShare(
+/// @param speed v [m/s]
+double stokesDragShare(
     double speed, double diameter, double gasViscosity, double particleDensity, double gravity);
-constexpr double largestWallDriveShare = 0.01;
+constexpr double largestUnseenWallShare = 0.01;
+constexpr double largestDispersionShare = 0.1;
 
 /// Van der Waals force of an asperity over a grain's weight, A r/(6 z0^2)/(m g).
 ///

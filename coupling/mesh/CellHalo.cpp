@@ -44,6 +44,16 @@ CellHalo::CellHalo(const fvMesh& mesh)
     List<Map<label>> compact;
     map_ = std::make_unique<mapDistributeBase>(numbering, neighbourhood_, compact);
     link(mesh, numbering, compact);
+
+    labelHashSet shared;
+    forAll(map_->subMap(), proc)
+    {
+        if (proc != Pstream::myProcNo())
+        {
+            shared.insert(map_->subMap()[proc]);
+        }
+    }
+    shared_ = shared.sortedToc();
 }
 
 void CellHalo::link(const fvMesh& mesh, const globalIndex& numbering,

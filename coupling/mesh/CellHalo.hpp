@@ -42,6 +42,9 @@ public:
     /// One link a face: internal faces once, coupled faces once on either side.
     const std::vector<Link>& links() const { return links_; }
 
+    /// Own cells of which other ranks have copies. Local.
+    const Foam::labelList& shared() const { return shared_; }
+
     /// Own values, data[0..nCells), to the ghosts: data becomes size() long.
     template<class T>
     void toGhosts(Foam::List<T>& data) const;
@@ -73,6 +76,7 @@ private:
 
     Foam::label nCells_;
     Foam::labelListList neighbourhood_;
+    Foam::labelList shared_;
     std::unique_ptr<Foam::mapDistributeBase> map_;
     std::vector<Link> links_;
 };

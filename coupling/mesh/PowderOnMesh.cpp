@@ -94,6 +94,7 @@ void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<
         positions[i] = toFoam(parcels_[i].position);
     }
     transfer_.place(positions, cells_, open_);
+    smoothing_.reach(transfer_.weights().cells);
     hide();
 }
 

@@ -3,6 +3,7 @@
 
 #include "coupling/mesh/CellHalo.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -27,6 +28,14 @@ public:
     /// is half covered.
     void close(const Foam::scalarList& open);
 
+    /// Local. From now on leaves out the cells that no sweep connects with these ones (compact indices), until the next
+    /// call: of a density that is zero elsewhere the result is the same everywhere, of any other field it is the same in
+    /// these cells, to the last bit.
+    void reach(const std::vector<int>& cells);
+
+    /// Share of this rank's cells that take part. Local.
+    double share() const { return double(cells_.size())/std::max(halo_.nCells(), Foam::label(1)); }
+
     /// Collective. Smooths N densities at once; `density` is nCells long.
     template<unsigned N>
     void smooth(Foam::List<Packed<N>>& density) const;
@@ -41,12 +50,17 @@ public:
 
 private:
     static double passage(double open);
+    void gather();
 
     const CellHalo& halo_;
     const Foam::scalarField& volumes_;
     int sweeps_ = 0;
     double perSweep_ = 0; // diffusivity times time of one sweep [m2]
-    std::vector<CellHalo::Link> links_;
+    Foam::labelListList neighbours_; // of own cells through links, compact
+    std::vector<CellHalo::Link> links_; // all
+    std::vector<char> reached_; // own cells and ghosts
+    std::vector<Foam::label> cells_; // own, of those
+    std::vector<CellHalo::Link> between_; // links of those
     mutable double seconds_ = 0;
 };
 
@@ -59,8 +73,11 @@ void Smoothing::smooth(Foam::List<Packed<N>>& density) const
     for (int sweep = 0; sweep < sweeps_; ++sweep)
     {
         halo_.toGhosts(density);
-        gain = Packed<N>(Foam::Zero);
-        for (const CellHalo::Link& link : links_)
+        for (const Foam::label c : cells_)
+        {
+            gain[c] = Packed<N>(Foam::Zero);
+        }
+        for (const CellHalo::Link& link : between_)
         {
             Packed<N>& here = gain[link.cell];
             const Packed<N>& a = density[link.cell];
@@ -84,7 +101,7 @@ void Smoothing::smooth(Foam::List<Packed<N>>& density) const
             }
         }
         density.setSize(own);
-        for (Foam::label c = 0; c < own; ++c)
+        for (const Foam::label c : cells_)
         {
             for (unsigned n = 0; n < N; ++n)
             {

@@ -7,6 +7,7 @@ a  `oneWay`: grains in given air, with a velocity u and a pressure gradient G al
 b  `auto` leaves the air out where zeta = rho_a (rho_s - rho_a) g d^3/mu^2 rho_s/rho_a exceeds 9.56e6 [Y. Guo et al.,
    AIChE J. 55 (2009) 49-62] and nothing but powder could move it: grains then fall freely. Finer ones meet air, and
    those in air that flows through a boundary.
+c  Finer grains that appear when the air is left out find none, and the user is told.
 """
 import math
 import re
@@ -70,7 +71,36 @@ def judgeChoice(bench):
                        grain[2]/(math.pi/6*size**3*powder.density), CLOSE)
 
 
+class Joined(Case):
+    """Twenty finer grains appear in the middle of the run."""
+    finer = 50e-6
+
+    def write(self, folder, ranks):
+        super().write(folder, ranks)
+        edge = f"{0.2*EDGE:g} {0.8*EDGE:g}"
+        script = folder/"powder.in"
+        script.write_text(script.read_text().replace("thermo ", f"""
+fix     kind all particletemplate/sphere 15485863 atom_type 1 volume_limit 1e-20 &
+        density constant {self.powder.density} &
+        radius constant {self.finer/2}
+fix     mixture all particledistribution/discrete 32452843 1 kind 1.0
+region  above block {edge} {edge} {0.7*EDGE:g} {0.9*EDGE:g} units box
+fix     filling all insert/pack seed 49979687 distributiontemplate mixture insert_every once &
+        start 40 overlapcheck yes all_in yes particles_in_region 20 region above
+thermo """))
+
+
+def judgeLate(bench):
+    coarse = Powder(1e-3, 7360.0)
+    run = bench.run(Joined("joined by finer ones", Box((EDGE,)*3, (5,)*3, ("noSlip",)*3), coarse, positions=[(EDGE/2,)*3],
+                           air="auto", gravity=(0, 0, -GRAVITY), deltaT=1e-4, subSteps=4, endTime=60e-4), impulse=math.inf)
+    told = re.findall(r"air is off, and would matter: .* is ([0-9.e+-]+), above 1", run.log)
+    bench.equal(run, "told once that the air is missed", 1, len(told), 0)
+    bench.near(run, "9.56e6/zeta", 9.56e6/(sensitivity(Powder(Joined.finer, 7360.0))), float(told[0]), 5e-2)
+
+
 def verify(bench):
+    judgeLate(bench)
     judgeGiven(bench)
     judgeChoice(bench)
 

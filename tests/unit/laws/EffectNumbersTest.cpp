@@ -90,7 +90,7 @@ TEST(EffectNumbers, TellHowFarAMoleculeFlies)
 // Hard-metal powder of 40 um falls at 0.36 m/s by Stokes' law; a shoe of 0.15 m/s is 42 % of that.
 TEST(EffectNumbers, TellThatAWallBlowsGrainsAway)
 {
-    EXPECT_LT(near(wallDriveShare(0.15, 40e-6, airViscosity, 7360, 9.81), 0.4182), 1e-3);
+    EXPECT_LT(near(stokesDragShare(0.15, 40e-6, airViscosity, 7360, 9.81), 0.4182), 1e-3);
 }
 
 TEST(EffectNumbers, TellWhatElseIsSmall)

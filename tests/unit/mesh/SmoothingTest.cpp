@@ -71,6 +71,21 @@ protected:
         return field;
     }
 
+    /// Cells of this rank in two places, far from most of the box.
+    static std::vector<int> someCells()
+    {
+        std::vector<int> cells;
+        forAll(mesh().C(), cell)
+        {
+            const vector& x = mesh().C()[cell];
+            if (Foam::mag(x - vector(3e-3, 2e-3, 2e-3)) < 0.8e-3 || Foam::mag(x - vector(9e-3, 3e-3, 8e-3)) < 0.5e-3)
+            {
+                cells.push_back(cell);
+            }
+        }
+        return cells;
+    }
+
     static void close(Smoothing& smoothing, const scalarField& open)
     {
         Foam::scalarList everywhere(open);
@@ -215,6 +230,34 @@ TEST_F(SmoothingTest, IsShutByHalfCoveredCells)
     for (const CellHalo::Link& link : smoothing.open())
     {
         ASSERT_EQ(link.conductance, 0);
+    }
+}
+
+// Seen from there as smooth as if all had been smoothed; and what was there alone is smoothed everywhere.
+TEST_F(SmoothingTest, LeavesOutWhatIsOutOfReachWithoutChangingTheRest)
+{
+    const std::vector<int> cells = someCells();
+    const Smoothing whole = make(0.4e-3);
+    Smoothing near = make(0.4e-3);
+    near.reach(cells);
+    if (!Foam::Pstream::parRun())
+    {
+        ASSERT_LT(near.share(), 0.5);
+    }
+    const scalarField everywhere = rough();
+    scalarField there(everywhere.size(), 0);
+    for (const int cell : cells)
+    {
+        there[cell] = everywhere[cell];
+    }
+
+    EXPECT_EQ(smooth(near, there), smooth(whole, there));
+
+    const scalarField expected = smooth(whole, everywhere);
+    const scalarField found = smooth(near, everywhere);
+    for (const int cell : cells)
+    {
+        ASSERT_EQ(found[cell], expected[cell]);
     }
 }
 
