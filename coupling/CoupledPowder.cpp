@@ -40,6 +40,11 @@ CoupledPowder::~CoupledPowder() = default;
 // Where the walls will be after an interval, like the powder.
 void CoupledPowder::moveSolids(double interval)
 {
+    if (!solids_->any())
+    {
+        return;
+    }
+    const EffectTable::Timed timed(effects_, effects_.place("movingWalls"));
     std::vector<RigidPose> poses;
     for (const std::string& wall : solidWalls_)
     {
@@ -50,11 +55,8 @@ void CoupledPowder::moveSolids(double interval)
         }
         poses.push_back(pose);
     }
-    if (solids_->any())
-    {
-        solids_->move(poses);
-        onMesh_->cover(solids_->covered());
-    }
+    solids_->move(poses);
+    onMesh_->cover(solids_->covered());
 }
 
 // Parcels travel to the ranks of their cells, at the positions that they will have after an

@@ -13,11 +13,19 @@ namespace
 {
 
 std::string line(const std::string& effect, const std::string& state, const std::string& by,
-    const std::string& number, const std::string& limit)
+    const std::string& number, const std::string& limit, const std::string& time)
 {
     char text[200];
     std::snprintf(text, sizeof text, "    %-16s %-6s %-7s %9s %7s", effect.c_str(), state.c_str(), by.c_str(),
         number.c_str(), limit.c_str());
+    return text + time;
+}
+
+// Of time, in a column as wide as its heading.
+std::string shareOf(double wall, double seconds)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, " %7.2f %%", 100*seconds/wall);
     return text;
 }
 
@@ -87,14 +95,21 @@ std::string EffectTable::decidedBy(const Effect& effect)
     return effect.wish == Effect::Wish::automatic ? "number" : "user";
 }
 
-std::string EffectTable::text() const
+std::size_t EffectTable::place(const std::string& key) const
 {
-    std::string table = line("effect", "", "by", "number", "limit") + '\n';
+    const auto found = std::find_if(
+        effects_.begin(), effects_.end(), [&key](const Effect& effect) { return effect.key == key; });
+    return static_cast<std::size_t>(found - effects_.begin());
+}
+
+std::string EffectTable::text(double wall) const
+{
+    std::string table = line("effect", "", "by", "number", "limit", wall > 0 ? "      time" : "") + '\n';
     for (const Effect& effect : effects_)
     {
         const std::string state = effect.on ? "on" : "off";
         table += line(effect.key, effect.how.empty() ? state : effect.how, decidedBy(effect), shown(effect.largest),
-                     shown(effect.limit))
+                     shown(effect.limit), wall > 0 ? shareOf(wall, effect.seconds) : "")
             + "   " + effect.number + '\n';
     }
     return table;

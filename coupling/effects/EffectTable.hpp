@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Effect
     std::string how = {}; ///< if there is more to say than on or off
     std::string by = {}; ///< who decided, if neither the user nor the number
     double since = 0; ///< time from which on the number asked for it [s]
+    double seconds = 0; ///< of wall time that it cost on this rank so far
 
     bool askedFor() const { return largest > limit; }
 };
@@ -49,13 +51,40 @@ public:
     /// is on from now, or that one which is not wished, or not everywhere, is called for. Else empty.
     std::string meet(std::size_t place, double value, double time);
 
+    /// Books wall time [s].
+    void spend(std::size_t place, double seconds) { effects_[place].seconds += seconds; }
+
+    /// Its place. There must be one.
+    std::size_t place(const std::string& key) const;
+
+    /// Books the time from its construction to its end.
+    class Timed
+    {
+    public:
+        Timed(EffectTable& table, std::size_t place) : table_(table), place_(place) {}
+        ~Timed()
+        {
+            const std::chrono::duration<double> spent = Clock::now() - start_;
+            table_.spend(place_, spent.count());
+        }
+        Timed(const Timed&) = delete;
+        Timed& operator=(const Timed&) = delete;
+
+    private:
+        using Clock = std::chrono::steady_clock;
+
+        EffectTable& table_;
+        std::size_t place_;
+        Clock::time_point start_ = Clock::now();
+    };
+
     const std::vector<Effect>& effects() const { return effects_; }
 
     /// Who decided: "number", "user", or what the effect names.
     static std::string decidedBy(const Effect& effect);
 
-    /// A table for the screen, with a line an effect.
-    std::string text() const;
+    /// A table for the screen, with a line an effect; with shares of a wall time [s], if there is one.
+    std::string text(double wall = 0) const;
 
 private:
     std::vector<Effect> effects_;

@@ -114,6 +114,7 @@ void ParcelForces::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& o
     {
         if (table_.on(entry.place))
         {
+            const EffectTable::Timed timed(table_, entry.place);
             entry.force->act(air, dem, own);
         }
     }

@@ -162,9 +162,24 @@ void RunLog::stopped(const std::string& why)
 
 void RunLog::end()
 {
-    Info<< nl << "Effects, as they were met:" << nl << powder_.effects().text().c_str();
+    const StageTimes times = clock_.gather(MPI_COMM_WORLD);
+    Info<< nl << "Effects, as they were met:" << nl << effects(times).text(times.wall).c_str();
     table();
     Info<< "End" << nl << endl;
+}
+
+// With the time of the air, which is that of many stages.
+EffectTable RunLog::effects(const StageTimes& times) const
+{
+    EffectTable all = powder_.effects();
+    if (powder_.hasAir())
+    {
+        for (const Stage stage : {Stage::exchange, Stage::deposit, Stage::smoothing, Stage::momentum, Stage::pressure})
+        {
+            all.spend(all.place("air"), times.rows[static_cast<int>(stage)].mean);
+        }
+    }
+    return all;
 }
 
 void RunLog::table()
@@ -199,10 +214,11 @@ void RunLog::json(
     {
         out["stages"][row.name] = {{"min", row.min}, {"mean", row.mean}, {"max", row.max}};
     }
-    for (const Effect& effect : powder_.effects().effects())
+    const EffectTable met = effects(times);
+    for (const Effect& effect : met.effects())
     {
         out["effects"][effect.key] = {{"on", effect.on}, {"how", effect.how}, {"by", EffectTable::decidedBy(effect)},
-            {"number", effect.largest}, {"limit", effect.limit}, {"meaning", effect.number}};
+            {"number", effect.largest}, {"limit", effect.limit}, {"meaning", effect.number}, {"seconds", effect.seconds}};
     }
     out["bytesPerParticleStep"] = traffic.bytesPerParticle;
     out["messagesPerRankStep"] = traffic.messagesPerRank;

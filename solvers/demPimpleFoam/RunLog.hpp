@@ -30,6 +30,7 @@ public:
 
 private:
     void writeAll();
+    EffectTable effects(const StageTimes& times) const;
     void table();
     void json(const StageTimes& times, const CoupledPowder::Traffic& traffic, double memory) const;
 

@@ -70,6 +70,21 @@ TEST(EffectTable, TellsWhoDecidedByWhichNumber)
         "    lift             off    number       0.05     0.1   lift over drag\n");
 }
 
+TEST(EffectTable, TellsWhatShareOfTheTimeAnEffectCost)
+{
+    EffectTable table = lift(Effect::Wish::on);
+    table.spend(table.place("lift"), 0.25);
+    table.spend(0, 0.5);
+    EXPECT_EQ(table.text(60),
+        "    effect                  by         number   limit      time\n"
+        "    lift             on     user            0     0.1    1.25 %   lift over drag\n");
+    {
+        const EffectTable::Timed timed(table, 0);
+    }
+    EXPECT_GT(table.effects()[0].seconds, 0.75);
+    EXPECT_LT(table.effects()[0].seconds, 1);
+}
+
 TEST(EffectTable, KnowsThreeWords)
 {
     EXPECT_EQ(EffectTable::wish("auto", ""), Effect::Wish::automatic);
