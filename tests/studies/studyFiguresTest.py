@@ -46,6 +46,10 @@ GRID = [row(d, rho, v) for d in (40e-6, 60e-6, 80e-6) for rho in (3675, 7350) fo
 CAVITY = [row(length=x, depth=h) for x in (6e-3, 8e-3) for h in (5e-3, 6e-3)]
 
 
+SENSITIVITY = ([row(d, 7360, 0.15, air="on") for d in (40e-6, 160e-6, 400e-6)]
+               + [row(400e-6, 7360, 0.15, air="off")])
+
+
 class Folder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -283,6 +287,25 @@ class Surface(Folder):
         self.refused("coarseGraining.yaml with 'keep: yes'", GRID, "surface")
         table = self.kept([("a", 10, "on", -4e-3), ("b", 10, "off", -3e-3)])
         self.refused("differ in air: choose by --where air=VALUE", table, "surface")
+
+
+class AirSensitivity(Folder):
+    def testTheSizeIsThatOfGuosNumber(self):
+        """Reckoned apart: (9.56e6 (1.7894e-5)^2/(7360 (7360 - 1.225) 9.81))^(1/3) = 179.3 um."""
+        axes, = self.drawn(SENSITIVITY, "airSensitivity").axes
+        dashed, = [line for line in axes.lines if line.get_linestyle() == "--"]
+        self.assertAlmostEqual(dashed.get_xdata()[0], 179.3, delta=0.1)
+
+    def testAirIsDrawnOverSizeAndTheLevelWithout(self):
+        axes, = self.drawn(SENSITIVITY, "airSensitivity").axes
+        points = plotted(axes)["with air"]
+        self.assertEqual([round(x) for x, _ in points], [40, 160, 400])
+        level, = [line for line in axes.lines if line.get_label() == "without air"]
+        self.assertAlmostEqual(level.get_ydata()[0], points[-1][1])
+
+    def testItWantsOneRowWithoutAir(self):
+        self.refused("3 rows with air and 0 without", SENSITIVITY[:3], "airSensitivity")
+        self.refused("no column 'air'", GRID, "airSensitivity")
 
 
 if __name__ == "__main__":

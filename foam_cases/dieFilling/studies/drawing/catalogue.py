@@ -103,6 +103,17 @@ class Critical:
         return (criticalSize.predicted if self.predicted else criticalSize.draw)(series)
 
 
+@dataclass
+class AirSensitivity:
+    number: str
+    text: str
+    study: str = "airSensitivity.yaml"
+
+    def draw(self, table, chosen):
+        import airSensitivity
+        return airSensitivity.draw(table, chosen, self.study)
+
+
 FIGURES = {
     "fillingOverSize": Lines("5", "filling ratio against d_p/h_D", FILLING, "dpOverHd", SPEED, DENSITY),
     "fillingOverReynolds": Lines("6", "filling ratio against v rho_g L_D/mu_g", FILLING, "shoeReynolds",
@@ -126,4 +137,5 @@ FIGURES = {
     "surface": Surface("17", "surface in the die, for each k"),
     "criticalSize": Critical("18", "critical d_p/h_D against v rho_g L_D/mu_g, beside Eq 21"),
     "predicted": Critical("19", "critical d_p/h_D, predicted against measured", predicted=True),
+    "airSensitivity": AirSensitivity("-", "not of that study: filling ratio with and without air against d_p"),
 }
