@@ -8,10 +8,9 @@
 #include "coupling/forces/ParcelForces.hpp"
 #include "coupling/forces/tell.hpp"
 #include "coupling/laws/TimeScales.hpp"
+#include "coupling/laws/sphereVolume.hpp"
 
 #include "PstreamReduceOps.H"
-#include "mathematicalConstants.H"
-
 #include <algorithm>
 #include <cmath>
 
@@ -76,7 +75,7 @@ void CoupledPowder::placeParcels(double interval)
         const MovingSolid::Seen then =
             solids_->outside(now + interval*vector(v[0], v[1], v[2]));
         points[i] = {toVec3(box.wrap(then.position)), toVec3(box.wrap(now))};
-        const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
+        const double volume = sphereVolume(2*view.radius[i]);
         own[i] = {points[i].position, {v[0], v[1], v[2]}, movesAir() ? dem_->impulse(i) : Vec3{}, 2*view.radius[i],
             view.mass[i] + added*volume, then.presence, view.id[i]};
     }
@@ -96,22 +95,16 @@ void CoupledPowder::chooseTimeStep(double courant)
     scene.air = hasAir();
     scene.courant = courant;
     scene.response = response_;
-    scene.radius = dem_->minimumRadius();
+    const auto [radius, density] = dem_->quickestParticle();
+    scene.radius = radius;
+    scene.density = density;
     scene.cell = std::cbrt(gMin(mesh_.V()));
     scene.speed = dem_->maximumSpeed();
     for (const std::string& wall : dem_->meshWalls())
     {
         scene.speed = max(scene.speed, mag(toFoam(dem_->wallPose(wall).velocity)));
     }
-    const ParticleView view = dem_->particles();
-    for (int i = 0; i < view.count; ++i)
-    {
-        const double volume = 4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]);
-        scene.density = max(scene.density, view.mass[i]/volume);
-        lightest_ = min(lightest_, view.mass[i]/volume);
-    }
-    reduce(lightest_, minOp<scalar>());
-    reduce(scene.density, maxOp<scalar>());
+    lightest_ = min(lightest_, dem_->minimumDensity());
     timeStep_->choose(scene, *dem_);
 }
 

@@ -10,10 +10,10 @@
 #include "coupling/forces/tell.hpp"
 #include "coupling/laws/DimensionlessGroups.hpp"
 #include "coupling/laws/InputError.hpp"
+#include "coupling/laws/sphereVolume.hpp"
 #include "coupling/mesh/Parameters.hpp"
 
 #include "IOdictionary.H"
-#include "mathematicalConstants.H"
 
 #include <algorithm>
 
@@ -169,7 +169,7 @@ double CoupledPowder::airNumber() const
     for (int i = 0; i < view.count; ++i)
     {
         filling.particleDiameter = 2*view.radius[i]/coarseGraining_;
-        filling.particleDensity = view.mass[i]/(4.0/3.0*constant::mathematical::pi*pow3(view.radius[i]));
+        filling.particleDensity = view.mass[i]/sphereVolume(2*view.radius[i]);
         smallest = min(smallest, airSensitivity(filling));
     }
     reduce(smallest, minOp<double>());

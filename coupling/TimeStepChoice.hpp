@@ -56,8 +56,8 @@ public:
         double response = 0; ///< shortest tau_eff [s]
         double speed = 0; ///< of the fastest particle or wall [m/s]
         double cell = 0; ///< smallest cell size [m]
-        double radius = 0; ///< of the smallest particle [m]; zero: no particles
-        double density = 0; ///< of the particles [kg/m3]
+        double radius = 0; ///< of the particle with the shortest Rayleigh time [m]; zero: no particles
+        double density = 0; ///< of that [kg/m3]
     };
 
     /// Collective. Chooses the DEM step (tells LIGGGHTS if it must change) and sets deltaT.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/dem/DemEngineImplementation.hpp"
 #include "coupling/laws/InputError.hpp"
+#include "coupling/laws/sphereVolume.hpp"
 
 #include <update.h>
 
@@ -125,15 +126,39 @@ double DemEngine::minimumRadius() const
 
 double DemEngine::minimumDensity() const
 {
-    constexpr double unitSphere = 4.18879020478639; // 4 pi/3
     const ParticleView here = particles();
     double mine = std::numeric_limits<double>::infinity();
     for (int i = 0; i < here.count; ++i)
     {
-        const double r = here.radius[i];
-        mine = std::min(mine, here.mass[i]/(unitSphere*r*r*r));
+        mine = std::min(mine, here.mass[i]/sphereVolume(2*here.radius[i]));
     }
     return implementation_->reduced(mine, MPI_MIN);
+}
+
+std::array<double, 2> DemEngine::quickestParticle() const
+{
+    struct // as MPI_DOUBLE_INT has it
+    {
+        double square; // of radius and root of density
+        int rank;
+    } least{std::numeric_limits<double>::infinity(), 0};
+    const MPI_Comm communicator = implementation_->liggghts.communicator();
+    MPI_Comm_rank(communicator, &least.rank);
+    const ParticleView here = particles();
+    std::array<double, 2> found{};
+    for (int i = 0; i < here.count; ++i)
+    {
+        const double r = here.radius[i];
+        const double density = here.mass[i]/sphereVolume(2*r);
+        if (r*r*density < least.square)
+        {
+            least.square = r*r*density;
+            found = {r, density};
+        }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
+    MPI_Bcast(found.data(), 2, MPI_DOUBLE, least.rank, communicator);
+    return found;
 }
 
 std::vector<bool> DemEngine::particleTypes() const

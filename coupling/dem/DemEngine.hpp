@@ -166,6 +166,10 @@ public:
     double minimumRadius() const;    ///< [m], 0 without particles
     double minimumDensity() const;   ///< of a particle [kg/m3], infinite without particles
 
+    /// Radius [m] and density [kg/m3] of the particle with the shortest Rayleigh time, which goes as radius times root of
+    /// density; zero without particles.
+    std::array<double, 2> quickestParticle() const;
+
     /// For each type of material, the first being type 1, whether any particle is of it. Others may be
     /// those of walls.
     std::vector<bool> particleTypes() const;

@@ -2,23 +2,12 @@
 #include "coupling/forces/VirtualMass.hpp"
 
 #include "coupling/laws/EffectNumbers.hpp"
-
-#include "mathematicalConstants.H"
+#include "coupling/laws/sphereVolume.hpp"
 
 namespace interstice
 {
 
 using namespace Foam;
-
-namespace
-{
-
-double sphereVolume(double radius)
-{
-    return 4.0/3.0*constant::mathematical::pi*pow3(radius);
-}
-
-} // namespace
 
 Effect VirtualMass::effect() const
 {
@@ -44,7 +33,7 @@ void VirtualMass::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& ow
     for (int i = 0; i < view.count; ++i)
     {
         const double mass =
-            seen(own[i]) ? coefficient*air.density*sphereVolume(view.radius[i]) : 0;
+            seen(own[i]) ? coefficient*air.density*sphereVolume(2*view.radius[i]) : 0;
         dem.setAddedMass(i, mass);
         give(own[i], mass*acceleration[i], air.interval);
     }

@@ -2,9 +2,9 @@
 #include "coupling/laws/DemStepLimits.hpp"
 
 #include "coupling/laws/TimeScales.hpp"
+#include "coupling/laws/sphereVolume.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace interstice
@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double pi = 3.14159265358979323846;
 
 double ofType(const std::vector<double>& values, std::size_t type)
 {
@@ -52,7 +51,7 @@ double DemStepLimits::longestStep() const
 DemStepLimits demStepLimits(
     const ContactMaterials& materials, double radius, double density, double speed)
 {
-    const double mass = 4.0/3.0*pi*std::pow(radius, 3)*density;
+    const double mass = sphereVolume(2*radius)*density;
     DemStepLimits limits{infinite, infinite, infinite};
     for (std::size_t one = 0; one < materials.ofParticles.size(); ++one)
     {

@@ -27,7 +27,7 @@ struct DemStepLimits
     double longestStep() const;
 };
 
-/// Of contacts between particles of radius [m] and density [kg/m3] (the smallest, the heaviest), and
+/// Of contacts between particles of radius [m] and density [kg/m3] (those of the shortest Rayleigh time), and
 /// with walls, that meet at `speed` [m/s].
 ///
 /// A wave runs through particles only, so walls have no Rayleigh time. In an impact both yield: against

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/laws/EffectNumbers.hpp"
 
+#include "coupling/laws/sphereVolume.hpp"
+
 #include <cmath>
 
 namespace interstice
@@ -74,7 +76,7 @@ double stokesDragShare(
 double bondNumber(double hamaker, double asperityRadius, double gap, double diameter,
     double particleDensity, double gravity)
 {
-    const double weight = pi/6*diameter*diameter*diameter*particleDensity*gravity;
+    const double weight = sphereVolume(diameter)*particleDensity*gravity;
     return hamaker*asperityRadius/(6*gap*gap)/weight;
 }
 

@@ -2,8 +2,8 @@
 #include "coupling/mesh/PowderOnMesh.hpp"
 
 #include "coupling/laws/ImplicitDrag.hpp"
+#include "coupling/laws/sphereVolume.hpp"
 
-#include "mathematicalConstants.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace interstice
@@ -26,11 +26,6 @@ GeometricField<Type, fvPatchField, volMesh> cellField(const fvMesh& mesh, const 
 // Cells whose void fractions differ by less are one to the drag law: its curvature then changes
 // the mean by 0.1 % at most.
 constexpr double uniformVoidFraction = 0.02;
-
-double sphereVolume(double diameter)
-{
-    return constant::mathematical::pi/6*diameter*diameter*diameter;
-}
 
 vector toFoam(const Vec3& v)
 {

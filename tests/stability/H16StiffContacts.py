@@ -222,6 +222,10 @@ def verify(bench):
                   "friction's dashpot", "key demStep")
     tooLong = throw("60 %", 0.6, SMOOTH)
     bench.refused(tooLong, f"demStep {0.6*RAYLEIGH:g} s", "Rayleigh", "key demStep")
+    light = throw("20 %, one parcel light", 0.2, SMOOTH)  # 80 % for that one
+    change(light, "powder.data", f"\n1 1 {2*RADIUS:.15g} {POWDER.density:.15g} ",
+           f"\n1 1 {2*RADIUS:.15g} {POWDER.density/16:.15g} ")
+    bench.refused(light, f"demStep {0.2*RAYLEIGH:g} s", f"Rayleigh time {0.25*RAYLEIGH:.6g} s", "key demStep")
     share = throw("60 % by its share", 0.6, SMOOTH)
     change(share, "constant/couplingProperties", f"demStep {share.demStep:.15g};",
            "rayleighFraction 0.6; hertzFraction 0.6;")

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/mesh/measures/DieFlowRate.hpp"
 
+#include "coupling/laws/sphereVolume.hpp"
+
 #include "addToRunTimeSelectionTable.H"
-#include "mathematicalConstants.H"
 
 namespace interstice
 {
@@ -37,8 +38,7 @@ std::vector<double> DieFlowRate::measure(const PowderState& powder)
     for (int i = 0; i < powder.count; ++i)
     {
         const double r = powder.radius[i];
-        volume += die_->share(toFoam(powder.position[i]), r)*4.0/3.0*constant::mathematical::pi
-            *r*r*r;
+        volume += die_->share(toFoam(powder.position[i]), r)*sphereVolume(2*r);
     }
     reduce(volume, sumOp<scalar>());
 

@@ -99,7 +99,22 @@ TEST(DemEngine, CountsAndMeasuresTheParticlesOfAllRanks)
     EXPECT_DOUBLE_EQ(dem->minimumRadius(), 0.002);
     EXPECT_NEAR(dem->minimumDensity(), 2500, 1e-9);
     EXPECT_NEAR(dem->maximumSpeed(), 0.01, 1e-15);
+    EXPECT_NEAR(dem->quickestParticle()[1], 2500, 1e-9);
     EXPECT_NEAR(everyGrain(*dem).at(7).mass, 8.37758040957278e-5, 1e-18);
+}
+
+// Rayleigh's time goes as r sqrt(rho): a grain twice as large and 25 times as light is 2.5 times as quick.
+TEST(DemEngine, FindsTheQuickestParticle)
+{
+    const auto dem = coupledScene("cloud.in");
+    dem->command("set atom 7 diameter 0.008");
+    dem->command("set atom 7 density 100");
+    dem->command("set atom 8 diameter 0.002");
+
+    const auto [radius, density] = dem->quickestParticle();
+
+    EXPECT_DOUBLE_EQ(radius, 0.004);
+    EXPECT_NEAR(density, 100, 1e-9);
 }
 
 // The whole point of advance(): a set-up between intervals would move the paths apart.
@@ -129,6 +144,7 @@ TEST(DemEngine, StartsWithoutParticles)
     EXPECT_EQ(dem->maximumRadius(), 0);
     EXPECT_EQ(dem->minimumRadius(), 0);
     EXPECT_TRUE(std::isinf(dem->minimumDensity()));
+    EXPECT_EQ(dem->quickestParticle(), (std::array<double, 2>{0, 0}));
 }
 
 // 0.2 m/s for 1000 steps of 1e-5 s; a turn of 0.5 s about (0.04, 0.04): 7.2 degrees, so that
