@@ -5,13 +5,14 @@ a  A grain falls along z through air whose upward velocity rises with x. It lags
    drifts to where that is faster, at 1.615 mu d s sqrt(Re_G) f/(3 pi mu d) in Stokes' drag, s its slip. One
    cell along y and z, so that the shear cannot break up.
 b  `auto` turns it on where 0.171 sqrt(rho G d^2/mu) exceeds 0.1, and leaves it out elsewhere.
-c  Grains across a shear that comes back on itself: what lift gives them the air loses.
+c  In a bed, of a void fraction below 0.9, grains feel no lift, neither by shear nor by spin, and call for none.
+d  Grains across a shear that comes back on itself: what lift gives them the air loses.
 """
 import math
 import re
 
 from harness.bench import main
-from harness.case import Box, Case, fill
+from harness.case import Box, Case, fill, lattice
 from harness.laws import Air, GRAVITY, Powder, stokes
 
 DRIFT = 1e-2
@@ -97,6 +98,21 @@ def judgeChoice(bench):
         bench.equal(run, "told to be simulated", share > LIMIT, "shearLift is simulated" in run.log, 0)
 
 
+def judgeBed(bench):
+    box, rate, each = Box((5e-3, 1e-3, 1e-3), (5, 1, 1), ("noSlip", "periodic", "periodic")), 1200.0, 8
+    for name, void, lifted in (("bed", 0.88, False), ("sparse", 0.92, True)):
+        powder = Powder(((1 - void)*1e-9/each*6/math.pi)**(1/3), 20.0, law=stokes)
+        deltaT = powder.density*powder.diameter**2/(18*powder.air.viscosity)/20
+        for choice, effects in (("auto", ""), ("on", "shearLift on; spinLift on; virtualMass off; viscousForce off;")):
+            run = bench.run(Sheared(f"{name}, {choice}", box, powder, lambda x: rate*(x - box.size[0]/2), effects=effects,
+                                    positions=lattice(box, 2), gravity=(0, 0, -GRAVITY), deltaT=deltaT, subSteps=4,
+                                    endTime=5*deltaT), impulse=math.inf)
+            momentum = run.budget()[-1][2]
+            if choice == "auto":
+                bench.equal(run, "told to be simulated", lifted, "shearLift is simulated" in run.log, 0)
+            bench.equal(run, "lifted", lifted, abs(momentum[0]) > 1e-9*abs(momentum[2]), 0)
+
+
 def judgeMomentum(bench, effects, **options):
     """Of a periodic box, along x, in which no other force has a part."""
     edge = 8e-3
@@ -115,6 +131,7 @@ def verify(bench):
     if bench.ranks == 1:
         judgeDrift(bench)
     judgeChoice(bench)
+    judgeBed(bench)
     judgeMomentum(bench, "shearLift on;")
 
 

@@ -6,13 +6,14 @@ a  A grain falls at its terminal velocity along z in still air, spinning about y
    Keller, J. Fluid Mech. 11 (1961) 447-459; the paths of both are integrated by small steps.
 b  A grain that does not spin falls through air that does: half its vorticity, until the grain spins as fast.
 c  What the grains get, the air loses.
-d  `auto` turns it on where rho d^2 w/(24 mu) exceeds 0.1. Parcels of several grains are refused, if asked for.
+d  Stopped in between it goes on as if it had not been, on one rank to round-off.
+e  `auto` turns it on where rho d^2 w/(24 mu) exceeds 0.1. Parcels of several grains are refused, if asked for.
 """
 import math
 
 import A13ShearLift as sheared
 from harness.bench import main
-from harness.case import Box, Case
+from harness.case import Box, Case, goOn
 from harness.laws import GRAVITY, Powder, stokes
 
 DRIFT = 1e-2
@@ -92,10 +93,23 @@ def judgeChoice(bench):
                   "effects, key spinLift", "powder, key coarseGraining")
 
 
+def judgeRestart(bench):
+    end = 0.4*spinTime(SLOW)
+    case = falling("stopped", SLOW, 1e5, "", end/16, end, writeInterval=end/2)
+    run = bench.run(case, impulse=math.inf)
+    again = goOn(run, run.times()[0], bench.solver)
+    (time, _, grain, _), (late, _, same, _) = run.budget()[-1], again.budget()[-1]
+    bench.equal(again, "end of what goes on [s]", time, late, 0)
+    bench.equal(again, "told that spinLift is simulated, again", 0, "spinLift is simulated" in again.log, 0)
+    for axis, one, other in zip("xyz", grain, same):
+        bench.equal(again, f"momentum along {axis}, of the grain's", 0, (other - one)/math.hypot(*grain), 1e-14)
+
+
 def verify(bench):
     if bench.ranks == 1:
         judgeDrift(bench)
         judgeAirsSpin(bench)
+        judgeRestart(bench)
     judgeChoice(bench)
     sheared.judgeMomentum(bench, ALONE, spin=(0, 1e3, 0))
 

@@ -313,3 +313,18 @@ def run(case, folder, ranks, solver):
     if ranks > 1:
         execute(folder, ["reconstructPar"], "log.reconstructPar")
     return Run(case, folder, ranks, seconds, log)
+
+
+def goOn(run, time_, solver):
+    """From a time that a run on one rank wrote to its end once more, in a copy that knows nothing later."""
+    folder = run.folder.with_name(run.folder.name + "_goes_on")
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(run.folder, folder)
+    for name in run.times():
+        if float(name) > float(time_):
+            shutil.rmtree(folder/name)
+    control = folder/"system/controlDict"
+    control.write_text(re.sub("startFrom .*;", "startFrom latestTime;", control.read_text()))
+    start = time.monotonic()
+    log = execute(folder, [solver], "log.demPimpleFoam")
+    return Run(run.case, folder, 1, time.monotonic() - start, log)
