@@ -130,17 +130,28 @@ InputError torn(const fileName& folder, const std::string& found)
         "Copy them anew, or delete this time folder to go on from the one before."});
 }
 
-// Of a record; one that an earlier version wrote may lack it.
-template<class Type>
-Type entry(const dictionary& record, const word& key)
+// A record that an earlier version wrote may lack an entry.
+void require(bool found, const dictionary& record, const word& key)
 {
-    if (!record.found(key))
+    if (!found)
     {
         throw InputError({"A run goes on from a checkpoint that this version wrote.", "no entry " + key,
             "all entries of a checkpoint", record.name(),
             "Go on with the version that wrote it, or begin anew."});
     }
+}
+
+template<class Type>
+Type entry(const dictionary& record, const word& key)
+{
+    require(record.found(key), record, key);
     return record.get<Type>(key);
+}
+
+const dictionary& part(const dictionary& record, const word& key)
+{
+    require(record.isDict(key), record, key);
+    return record.subDict(key);
 }
 
 } // namespace
@@ -239,12 +250,12 @@ std::optional<Checkpoint> Checkpoint::of(const Time& clock)
     c.lag = entry<scalar>(record, "lag");
     c.initialMass = entry<scalar>(record, "initialMass");
     c.lost = std::llround(entry<scalar>(record, "lost"));
-    const dictionary& numbers = record.subDict("effects");
+    const dictionary& numbers = part(record, "effects");
     for (const word& key : numbers.toc())
     {
         c.effects[key] = entry<scalar>(numbers, key);
     }
-    c.dem = readDem(record.subDict("dem"));
+    c.dem = readDem(part(record, "dem"));
     c.particles = std::llround(entry<scalar>(record, "particles"));
     c.mass = entry<scalar>(record, "mass");
     c.coarseGraining = entry<scalar>(record, "coarseGraining");

@@ -30,6 +30,12 @@ def earlierVersion(run, name):
     return "A run goes on from a checkpoint that this version wrote", "no entry lag"
 
 
+def withoutEffects(run, name):
+    record = run.powder(name)/"checkpoint"
+    record.write_text(re.sub(r"\neffects\s*{[^}]*}", "", record.read_text()))
+    return "A run goes on from a checkpoint that this version wrote", "no entry effects"
+
+
 def noPowder(run, name):
     for file in run.powder(name).iterdir():
         file.unlink()
@@ -93,8 +99,8 @@ def verify(bench):
     whole.until(TIME, TIME).run()
     name = whole.whole()[-1]
     whole.until(2*TIME, TIME)
-    for fault in (truncatedParticles, truncatedRecord, noPowder, noFlux, anotherPowder, anotherCase,
-                  otherScript, runAfterReading, tornStart, noSuchStart):
+    for fault in (truncatedParticles, truncatedRecord, earlierVersion, withoutEffects, noPowder, noFlux,
+                  anotherPowder, anotherCase, otherScript, runAfterReading, tornStart, noSuchStart):
         run = whole.copy(fault.__name__)
         words = fault(run, name)
         said = run.refused()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The packed and the bubbling bed: what `measure` finds in folders whose answers are known by hand, and
+"""The packed and the bubbling bed, and the die: what `measure` finds in folders whose answers are known by hand, and
 what a study wants of the cases."""
 import json
 import math
@@ -242,6 +242,19 @@ class BubblingBed(ACase):
         self.assertEqual(refused.returncode, 1)
         for words in ("spheres of the lattice overlap", "found   0.00026 m", "wanted  0 to 0.00025 m"):
             self.assertIn(words, refused.stderr)
+
+
+class Die(ACase):
+    name = "dieFilling"
+
+    def testPressureAtTheFloorIsThatOfTheAir(self):
+        """p is over density; of a run that was stopped at 3 s and goes on from 2 s, the later table counts: 10 m2/s2 from
+        1 s to 4 s, after a rise: 35/4."""
+        self.table("floorPressure/0/p", [(0.0, 0.0), (1.0, 10.0), (2.0, 10.0), (3.0, 50.0)], "# Probe\n")
+        self.table("floorPressure/2/p", [(3.0, 10.0), (4.0, 10.0)], "# Probe\n")
+        found = self.measured()
+        self.assertAlmostEqual(found["floorPressurePeak"], 12.25)
+        self.assertAlmostEqual(found["floorPressureMean"], 1.225*35/4)
 
 
 if __name__ == "__main__":

@@ -85,6 +85,8 @@ def measured(p, d):
     """Boxes of what is measured: the cavity, and the room in the shoe where it starts."""
     d["cavityLow"] = point(0, d["dieYLow"], d["dieZLow"])
     d["cavityHigh"] = point(p["dieLength"], d["dieYHigh"], 0)
+    d["floorProbe"] = point(0.5*p["dieLength"] + 0.123*p["cellSize"], 0.217*p["cellSize"],
+                            d["dieZLow"] + 0.3*p["cellSize"])
     d["shoeLow"] = point(d["shoeXLow"], d["shoeYLow"], 0)
     d["shoeHigh"] = point(d["shoeXHigh"], d["shoeYHigh"], p["shoeHeight"])
 
