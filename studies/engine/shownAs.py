@@ -2,6 +2,7 @@
 """Numbers as files and people read them; a measure may say that it is shown in % or mm3/s."""
 
 SHOWN = {"%": 100, "mm3/s": 1e9}
+LARGE = 1e6  # from there on with a power of ten
 PREFIXES = ((1, "m"), (1e-3, "mm"), (1e-6, "um"), (1e-9, "nm"))
 
 
@@ -41,4 +42,6 @@ def labelled(about, key, value):
     if unit == "m" and isNumber(value) and value:
         scale, unit = next((pair for pair in PREFIXES if abs(value) >= 0.9999*pair[0]), PREFIXES[-1])
         return f"{name}={value/scale:.6g}{unit}"
+    if isNumber(value) and abs(value) >= LARGE:
+        return f"{name}={value:.6g}".replace("e+0", "e")
     return f"{name}={text(value)}"
