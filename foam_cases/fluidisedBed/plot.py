@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Height and pressure drop of the bed in time, and the spheres in the end: pictures/bed.png, and means.
 
-Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii) here, and postProcessing/ of variants/blend, whichever of them
-are there, and DPMFoam's series, dpmFoam.dat if it was made here, or else dpmFoamReference.dat.
+Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii) here, postProcessing/ of variants/blend, and
+dpmFoam.dat, whichever of them are there.
 """
 import sys
 from xml.etree import ElementTree
@@ -34,9 +34,10 @@ def runs():
         if (folder/"postProcessing/bedHeight.dat").is_file():
             p = bed.parameters(folder)
             found.append((p["dragLaw"], bed.heights(folder), bed.drops(folder, p)))
-    own = case/"dpmFoam.dat"
-    table = np.loadtxt(own if own.is_file() else case/"dpmFoamReference.dat")
-    return found + [("DPMFoam", table[:, :2], table[:, ::2])]
+    if (case/"dpmFoam.dat").is_file():
+        table = np.loadtxt(case/"dpmFoam.dat")
+        found.append(("DPMFoam", table[:, :2], table[:, ::2]))
+    return found
 
 
 def spheres():
