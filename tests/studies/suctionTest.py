@@ -34,7 +34,7 @@ class Floors(unittest.TestCase):
         prepare = importlib.util.module_from_spec(importlib.util.spec_from_loader("prepare", loader))
         loader.exec_module(prepare)
         path = self.case/"system/caseParameters"
-        path.write_text(path.read_text().replace("// Accuracy", "".join(f"{k} {v};\n" for k, v in changes.items())))
+        path.write_text(path.read_text() + "".join(f"{k} {v};\n" for k, v in changes.items()))
         numbers, _ = prepare.derived(prepare.parameters(), None)
         prepare.writeDerived(numbers)
         return numbers

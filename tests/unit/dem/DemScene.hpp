@@ -4,6 +4,7 @@
 #include "coupling/dem/DemEngine.hpp"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,16 @@ inline DemOptions optionsFor(std::map<std::string, std::string> variables = {})
     options.screenFile = "screen.liggghts";
     options.variables = std::move(variables);
     return options;
+}
+
+/// A script that has run, ready for the air. Collective.
+inline std::unique_ptr<DemEngine> coupledScene(
+    const std::string& name, const std::map<std::string, std::string>& variables = {})
+{
+    auto dem = std::make_unique<DemEngine>(MPI_COMM_WORLD, optionsFor(variables));
+    dem->runScript(script(name));
+    dem->couple();
+    return dem;
 }
 
 struct Grain
