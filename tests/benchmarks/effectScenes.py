@@ -38,6 +38,9 @@ class Grains:
         self.name, self.make, self.measure = name, make, measure
         self.effects = {"auto": "", "all": keys(*KEYS), "picked": keys(*picked)}
 
+    def prepare(self):
+        pass
+
     def run(self, which, folder):
         run = cases.run(self.make(self.effects[which]), folder, 1, shutil.which("demPimpleFoam"))
         return self.measure(run)
@@ -83,13 +86,17 @@ def beads(effects):
 
 class Hopper:
     """foam_cases/hopper with its bed; all: with air and every force of it."""
-    name = "hopper"
+    name = "hopper: discharge [kg/s]"
     changes = {"auto": {}, "all": {"air": "on", "parcelForces": "on"}, "picked": {"air": "off"}}
+
+    def prepare(self):
+        """The bed, which all runs begin with."""
+        case = root/"foam_cases/hopper"
+        quietly([case/"prepare"], case)
 
     def run(self, which, folder):
         case = root/"foam_cases/hopper"
         name = f"effects{which}"
-        quietly([case/"prepare"], case)
         quietly([case/"variant", name, *(f"{k}={v}" for k, v in self.changes[which].items())], case)
         quietly([case/"variants"/name/"run", "-np", "1"], case)
         rows = [line.split() for line in (case/"variants"/name/"postProcessing/powderBalance/0/powderBalance.dat")
