@@ -191,9 +191,8 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
 
 void CoupledPowder::fall()
 {
-    constexpr int lookEvery = 20; // steps
     StageClock::Scope timed(clock_, Stage::dem);
-    if (mesh_.time().timeIndex() % lookEvery == 1)
+    if (lookDue(mesh_.time()))
     {
         tell(effects_, airPlace_, airNumber(), mesh_.time().value());
     }

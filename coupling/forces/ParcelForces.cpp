@@ -19,8 +19,6 @@ using namespace Foam;
 namespace
 {
 
-constexpr int lookEvery = 20; // steps between two looks at the numbers
-
 void requireGrains(double coarseGraining, const std::string& key, const std::string& where)
 {
     if (coarseGraining > 1)
@@ -105,8 +103,7 @@ void ParcelForces::look(AirMotion& air, const DemEngine& dem, double time)
 
 void ParcelForces::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Time& time)
 {
-    // By the index of the step, which a run that goes on takes over.
-    if (time.timeIndex() % lookEvery == 1)
+    if (lookDue(time))
     {
         look(air, dem, time.value());
     }
