@@ -89,12 +89,21 @@ void CoupledPowder::placeParcels(double interval)
     onMesh_->place(std::move(handled), exchange_->cells());
 }
 
+void CoupledPowder::adaptDrag()
+{
+    const double freePath = onMesh_->rarefied() ? 0 : forces_->freePath({density_, viscosity_});
+    if (freePath > 0)
+    {
+        onMesh_->rarefy(freePath);
+    }
+}
+
 void CoupledPowder::chooseTimeStep(double courant)
 {
     TimeStepChoice::Scene scene;
     scene.air = hasAir();
     scene.courant = courant;
-    scene.response = response_;
+    scene.response = movesAir() ? response_ : 0; // a held air cannot swing
     const auto [radius, density] = dem_->quickestParticle();
     scene.radius = radius;
     scene.density = density;
@@ -148,6 +157,7 @@ void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
     moveSolids(then);
     placeParcels(then);
     onMesh_->depositVolume();
+    adaptDrag();
     onMesh_->depositDrag(U, density_, nu, interval);
     response_ = onMesh_->report().shortestResponse;
     clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());

@@ -128,6 +128,7 @@ private:
     void checkPowderInMesh() const;
     void moveSolids(double interval);
     void placeParcels(double interval);
+    void adaptDrag();
     bool predicted() const;
     double seenAfter(double interval);
     void tellLag();

@@ -93,7 +93,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     forces_ = std::make_unique<ParcelForces>(
         Scene{mesh, *dem_, coarseGraining_, Parameters(powder).where("coarseGraining"), solidWalls_},
         p.sub("effects"), effects_);
-    forces_->start(density_, *dem_, mesh_.time().value());
+    forces_->start({density_, viscosity_}, *dem_, mesh_.time().value());
     p.allGroupsKnown();
     checkScene();
     checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),
@@ -104,6 +104,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     placeParcels(0);
     checkPowderInMesh();
     onMesh_->depositVolume();
+    adaptDrag();
     const volVectorField atRest(IOobject("airAtRest", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero));
     onMesh_->depositDrag(atRest, density_, air.nu, mesh.time().deltaTValue());

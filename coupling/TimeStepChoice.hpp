@@ -17,7 +17,7 @@ class DemEngine;
 ///
 /// Limits of the coupling step, each reported by name when it binds:
 ///     Courant number of the air      maxCo                  system/controlDict
-///     response of the powder         couplingNumber tau_eff (sealed bed, numerics of the coupling)
+///     response of the powder         couplingNumber tau_eff (sealed bed; not in a held air)
 ///     travel of particles and walls  parcelCourant cells
 ///     largest step                   maxDeltaT              system/controlDict
 ///     first step                     deltaT                 system/controlDict
@@ -53,7 +53,7 @@ public:
     {
         bool air = true;
         double courant = 0; ///< of the air in the last step
-        double response = 0; ///< shortest tau_eff [s]
+        double response = 0; ///< shortest tau_eff [s]; zero: powder does not move the air
         double speed = 0; ///< of the fastest particle or wall [m/s]
         double cell = 0; ///< smallest cell size [m]
         double radius = 0; ///< of the particle with the shortest Rayleigh time [m]; zero: no particles

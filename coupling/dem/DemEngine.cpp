@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/dem/DemEngineImplementation.hpp"
+#include "coupling/dem/ParticleRows.hpp"
 #include "coupling/laws/InputError.hpp"
 #include "coupling/laws/sphereVolume.hpp"
 
@@ -12,6 +13,13 @@
 
 namespace interstice
 {
+
+namespace
+{
+
+const char* const memoryId = "interstice_memory";
+
+} // namespace
 
 DemEngine::DemEngine(MPI_Comm communicator, const DemOptions& options)
     : implementation_(std::make_unique<Implementation>(communicator, options))
@@ -77,7 +85,9 @@ void DemEngine::prepare()
     require(implementation_->liggghts.lammps().update->timestep_set,
             "The DEM needs a time step.", "Add for example: timestep 1e-6");
 
-    implementation_->air = std::make_unique<dem::AirForce>(implementation_->liggghts.lammps());
+    LAMMPS_NS::LAMMPS& liggghts = implementation_->liggghts.lammps();
+    implementation_->air = std::make_unique<dem::AirForce>(liggghts);
+    implementation_->memory = dem::rowsOfRestart(liggghts, memoryId, memorySize);
 }
 
 ParticleView DemEngine::particles() const
@@ -203,6 +213,19 @@ void DemEngine::useSpinDrag()
 void DemEngine::setSpinDrag(int slot, const Vector3& spin, double coefficient)
 {
     implementation_->air->spin()->set(slot, spin, coefficient);
+}
+
+void DemEngine::useMemory()
+{
+    if (!implementation_->memory)
+    {
+        implementation_->memory = dem::defineRows(implementation_->liggghts.lammps(), memoryId, memorySize);
+    }
+}
+
+double* DemEngine::memory(int slot)
+{
+    return implementation_->memory->array_atom[slot];
 }
 
 Vector3 DemEngine::impulse(int slot) const

@@ -191,6 +191,12 @@ public:
     void useSpinDrag();
     void setSpinDrag(int slot, const Vector3& spin, double coefficient);
 
+    /// Some numbers beside each particle, zero at first, in which a law of the air may keep what it must remember of
+    /// it: they travel with the particle, and lie in restart files. First useMemory(), which is collective; then local.
+    static constexpr int memorySize = 7;
+    void useMemory();
+    double* memory(int slot);
+
     /// The starting value plus the momentum [N s] that drag really gave particle `slot` since
     /// setGas(): exactly, m (v1 - v0) = drag impulse + time * gas.force + what gravity,
     /// contacts and walls gave. It travels with the particle to other ranks. Local.

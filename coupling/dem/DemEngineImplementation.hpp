@@ -62,6 +62,7 @@ struct DemEngine::Implementation
     dem::LiggghtsInstance liggghts;
     dem::MeshWalls walls;
     std::unique_ptr<dem::AirForce> air;
+    LAMMPS_NS::FixPropertyAtom* memory = nullptr; ///< only if it is used
     std::string script; ///< the last one that ran
     bool upToDate = false; ///< no command has come since the last set-up
 };

@@ -22,7 +22,22 @@ inline LAMMPS_NS::FixPropertyAtom* defineRows(LAMMPS_NS::LAMMPS& liggghts, const
         text += " 0.0";
     }
     liggghts.input->one(text.c_str());
-    return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts.modify->find_fix_id(id));
+    auto* rows = dynamic_cast<LAMMPS_NS::FixPropertyAtom*>(liggghts.modify->find_fix_id(id));
+    rows->just_created = 0; // or else the next set-up would write zeros over what was kept until then
+    return rows;
+}
+
+/// The same if the restart file that was read has them, with the numbers from there; else nothing. Before the first
+/// set-up, which forgets the file. Collective.
+inline LAMMPS_NS::FixPropertyAtom* rowsOfRestart(LAMMPS_NS::LAMMPS& liggghts, const char* id, int count)
+{
+    LAMMPS_NS::FixPropertyAtom* rows = defineRows(liggghts, id, count);
+    if (liggghts.modify->have_restart_data(rows))
+    {
+        return rows;
+    }
+    liggghts.modify->delete_fix(id);
+    return nullptr;
 }
 
 } // namespace interstice::dem

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/forces/AirMotion.hpp"
 
+#include "coupling/laws/Dispersion.hpp"
+
 #include "fvc.H"
+#include "turbulenceModel.H"
 
 #include <cmath>
 
@@ -17,6 +20,7 @@ AirMotion::AirMotion(const volVectorField& U, const volScalarField& viscosity, d
     nu(viscosity),
     onMesh(powder),
     interval(U.time().deltaTValue()),
+    step(U.time().timeIndex()),
     U_(U),
     exchange_(exchange),
     parcels_(parcels)
@@ -41,10 +45,44 @@ double AirMotion::largestPressureForce() const
     return density*largestInPowder(fvc::grad(pressure())());
 }
 
+const turbulenceModel& AirMotion::turbulenceOfCase() const
+{
+    return U_.db().lookupObject<turbulenceModel>(turbulenceModel::propertiesName);
+}
+
 double AirMotion::largestFluctuation() const
 {
-    const auto* energy = U_.db().findObject<volScalarField>("k");
-    return energy ? std::sqrt(2*largestInPowder(*energy)/3) : 0;
+    const tmp<volScalarField> energy(turbulenceOfCase().k());
+    double largest = 0;
+    for (const int celli : onMesh.cells())
+    {
+        if (onMesh.voidFraction()[celli] > loneGrainVoidFraction)
+        {
+            largest = max(largest, energy()[celli]);
+        }
+    }
+    return std::sqrt(2*returnReduce(largest, maxOp<double>())/3);
+}
+
+std::vector<AirMotion::Turbulence> AirMotion::turbulence() const
+{
+    const tmp<volScalarField> energy(turbulenceOfCase().k());
+    const tmp<volScalarField> dissipation(turbulenceOfCase().epsilon());
+    const volScalarField rms(sqrt(2.0/3.0*max(energy(), dimensionedScalar(energy().dimensions(), Zero))));
+    const volVectorField gradient(fvc::grad(rms));
+    List<Packed<5>> cells(rms.size());
+    forAll(cells, celli)
+    {
+        const vector& g = gradient[celli];
+        cells[celli] = {rms[celli], lagrangianTime(energy()[celli], dissipation()[celli]), g.x(), g.y(), g.z()};
+    }
+    std::vector<Turbulence> found;
+    found.reserve(parcels_);
+    for (const Packed<5>& air : atParcels(std::move(cells)))
+    {
+        found.push_back({air[0], air[1], vector(air[2], air[3], air[4])});
+    }
+    return found;
 }
 
 template<class Field>
@@ -75,6 +113,11 @@ double AirMotion::largestReynolds(double length) const
         }
     }
     return returnReduce(largest, maxOp<double>());
+}
+
+double AirMotion::largestViscosity() const
+{
+    return density*gMax(nu.primitiveField());
 }
 
 double AirMotion::largestPressure() const

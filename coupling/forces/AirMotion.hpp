@@ -7,6 +7,11 @@
 #include <optional>
 #include <vector>
 
+namespace Foam
+{
+class turbulenceModel;
+}
+
 namespace interstice
 {
 
@@ -26,6 +31,14 @@ public:
         double voidFraction;
     };
 
+    /// Turbulence at a parcel; all zero at one that no cell holds, and in laminar air.
+    struct Turbulence
+    {
+        double rms; ///< of one component of the velocity, sqrt(2 k/3) [m/s]
+        double time; ///< Lagrangian time scale [s]
+        Foam::vector gradient; ///< of rms [1/s]
+    };
+
     /// `parcels`: how many this rank owns. `density` [kg/m3], kinematic viscosity `nu`.
     AirMotion(const Foam::volVectorField& U, const Foam::volScalarField& nu, double density,
         const PowderOnMesh& onMesh, const ParticleExchange& exchange, std::size_t parcels);
@@ -34,6 +47,7 @@ public:
     const Foam::volScalarField& nu;
     const PowderOnMesh& onMesh;
     const double interval; ///< [s]
+    const int step; ///< of time, from the start of the first run
 
     const Foam::volVectorField& vorticity(); ///< [1/s]
 
@@ -46,13 +60,18 @@ public:
     /// Of the fastest air outside of beds, with a length [m]; over all ranks.
     double largestReynolds(double length) const;
 
-    /// Of turbulence, sqrt(2 k/3), largest where there is powder, over all ranks; zero for laminar air [m/s].
+    /// Of turbulence, sqrt(2 k/3), largest where there are lone grains, over all ranks; zero for laminar air [m/s].
     double largestFluctuation() const;
+
+    /// Dynamic, of all cells, over all ranks [Pa s].
+    double largestViscosity() const;
 
     /// Of all cells, over all ranks [Pa].
     double largestPressure() const;
 
     const std::vector<Around>& around();
+
+    std::vector<Turbulence> turbulence() const;
 
     /// du/dt + u.grad(u) at the parcels [m/s2].
     const std::vector<Foam::vector>& acceleration();
@@ -61,6 +80,7 @@ private:
     template<class Field>
     double largestInPowder(const Field& field) const;
     const Foam::volScalarField& pressure() const;
+    const Foam::turbulenceModel& turbulenceOfCase() const;
     std::vector<Packed<5>> atParcels(Foam::List<Packed<5>>&& cells) const;
 
     const Foam::volVectorField& U_;

@@ -20,18 +20,11 @@ namespace
 
 constexpr double largestBuoyancyShare = 0.01;
 constexpr double largestPressureForceShare = 0.01;
-constexpr double densestGas = 100; // [kg/m3]
 
 // Of the forces between grains, where nobody tells better: as in foam_cases/dieFilling.
 constexpr double usualHamaker = 1e-19; // [J]
 constexpr double usualAsperity = 1e-7; // [m]
 constexpr double usualGap = 4e-10; // [m]
-
-// [Pa s], the largest of the mesh.
-double viscosity(const AirMotion& air)
-{
-    return air.density*gMax(air.nu.primitiveField());
-}
 
 IOdictionary constantFile(const fvMesh& mesh, const char* name)
 {
@@ -52,6 +45,16 @@ bool contradicts(Effect::Wish wish, bool on)
 
 } // namespace
 
+bool turbulent(const fvMesh& mesh)
+{
+    return constantFile(mesh, "turbulenceProperties").getOrDefault<word>("simulationType", "laminar") != "laminar";
+}
+
+double pressureAtRest(const fvMesh& mesh)
+{
+    return constantFile(mesh, "transportProperties").getOrDefault<scalar>("pressure", 101325);
+}
+
 CaseEffects::CaseEffects(const Scene& scene, const Parameters& keys, EffectTable& table)
 :
     table_(table),
@@ -66,15 +69,14 @@ CaseEffects::CaseEffects(const Scene& scene, const Parameters& keys, EffectTable
 void CaseEffects::addOfTheAir(const Scene& scene, const Parameters& keys)
 {
     const IOdictionary transport(constantFile(scene.mesh, "transportProperties"));
-    const IOdictionary turbulence(constantFile(scene.mesh, "turbulenceProperties"));
-    const double atRest = transport.getOrDefault<scalar>("pressure", 101325);
+    const double atRest = pressureAtRest(scene.mesh);
     const double extent = cmptMin(scene.mesh.bounds().span());
 
     addFixed({"pressureGradient", "pressure force over weight", largestPressureForceShare}, true, keys,
         "Leave it out: drag and pressure force together are what air and powder exchange.",
         [this](AirMotion& air) { return air.largestPressureForce()/weight(); });
     addChosen({"turbulence", "Reynolds number of the air", largestLaminarReynolds},
-        turbulence.getOrDefault<word>("simulationType", "laminar") != "laminar", "case", keys,
+        turbulent(scene.mesh), "case", keys,
         "constant/turbulenceProperties, key simulationType",
         [extent](AirMotion& air) { return air.largestReynolds(extent); });
     addChosen({"compressibility", "pressure over that at rest", largestSqueezedAirShare},
@@ -85,16 +87,9 @@ void CaseEffects::addOfTheAir(const Scene& scene, const Parameters& keys)
         mag(transport.getOrDefault<vector>("gravity", Zero)) > 0, "case", keys,
         "constant/transportProperties, key gravity",
         [this](AirMotion& air) { return dem_.gravity() == Vector3{} ? 0 : air.density/dem_.minimumDensity(); });
-    addFixed({"dispersion", "drag of turbulent fluctuations over weight", largestDispersionShare}, false, keys,
-        "Leave it out: it is not available.", [this](AirMotion& air)
-        { return stokesDragShare(air.largestFluctuation(), smallestGrain(), viscosity(air), weight(), 1); });
     addFixed({"history", "Basset's force over Stokes' drag", largestHistoryShare}, false, keys,
         "Leave it out: it is not available.",
         [this](AirMotion& air) { return historyShare(1, 1, dem_.minimumDensity()/(18*air.density)); });
-    addFixed({"rarefaction", "share of drag that a gas lacks, 2.5 free paths over d", largestRarefiedShare}, false, keys,
-        "Leave it out: it is not available.", [this, atRest](AirMotion& air)
-        { return air.density > densestGas ? 0 : rarefiedShare(smallestGrain(),
-            meanFreePath(air.density, viscosity(air), atRest)); });
 }
 
 void CaseEffects::addOfThePowder(const Parameters& keys)
@@ -102,7 +97,7 @@ void CaseEffects::addOfThePowder(const Parameters& keys)
     Effect walls{"movingWalls", "drag at the speed of an unseen wall over weight", largestUnseenWallShare};
     walls.wish = Effect::Wish::off; // of any other wall than those that are seen
     addChosen(walls, !seen_.empty(), "case", keys, "the group solids", [this](AirMotion& air)
-        { return stokesDragShare(fastestUnseen(), smallestGrain(), viscosity(air), weight(), 1); });
+        { return stokesDragShare(fastestUnseen(), smallestGrain(), air.largestViscosity(), weight(), 1); });
     addChosen({"rollingFriction", "coefficient, largest", 0}, dem_.hasRollingFriction(), "script", keys,
         "the contact model of the LIGGGHTS script", [this](AirMotion&) { return largestRollingFriction(dem_); });
     addChosen({"cohesion", "Bond number of asperities of 0.1 um, A = 1e-19 J", largestBondNumber}, dem_.hasCohesion(),

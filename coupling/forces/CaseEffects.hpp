@@ -24,6 +24,12 @@ struct Scene
     std::vector<std::string> wallsInAir;
 };
 
+/// Whether constant/turbulenceProperties asks for a turbulence model. Local.
+bool turbulent(const Foam::fvMesh& mesh);
+
+/// Of the air, absolute: constant/transportProperties, or that of the atmosphere [Pa]. Local.
+double pressureAtRest(const Foam::fvMesh& mesh);
+
 /// Effects that other files of the case choose, or that nobody can: what they chose stands in the table, and the user is
 /// told if the numbers of the run say otherwise.
 ///
@@ -35,9 +41,7 @@ struct Scene
 /// `airGravity`      gravity of constant/transportProperties; weight of the air over that of the lightest particle
 /// `rollingFriction` contact model of the LIGGGHTS script; coefficient
 /// `cohesion`        contact model of the LIGGGHTS script; van der Waals force of an asperity of 0.1 um over weight
-/// `dispersion`      by turbulence, of drag; not available
 /// `history`         Basset's force; not available
-/// `rarefaction`     slip of a gas on grains not much larger than its mean free path; not available
 class CaseEffects
 {
 public:

@@ -11,6 +11,13 @@
 namespace interstice
 {
 
+/// The air before it has moved.
+struct AirAtRest
+{
+    double density; ///< [kg/m3]
+    double viscosity; ///< dynamic, largest [Pa s]
+};
+
 /// A force of the air on parcels besides drag and pressure.
 class ParcelForce
 {
@@ -21,7 +28,7 @@ public:
     virtual Effect effect() const = 0;
 
     /// What decides, if that is known before the air has moved. Collective.
-    virtual std::optional<double> numberAtStart(double /*density of the air*/, const DemEngine& /*dem*/) const
+    virtual std::optional<double> numberAtStart(const AirAtRest& /*air*/, const DemEngine& /*dem*/) const
     {
         return {};
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/forces/ParcelForces.hpp"
 
+#include "coupling/forces/Dispersion.hpp"
 #include "coupling/forces/ShearLift.hpp"
 #include "coupling/forces/SpinLift.hpp"
 #include "coupling/forces/VirtualMass.hpp"
@@ -29,6 +30,17 @@ void requireGrains(double coarseGraining, const std::string& key, const std::str
     }
 }
 
+void requireTurbulence(const fvMesh& mesh, const std::string& key)
+{
+    if (!turbulent(mesh))
+    {
+        throw InputError({"Fluctuations of the air are those of a turbulence model.", "dispersion on, laminar air",
+            "dispersion off or auto, or a turbulence model",
+            key + "; constant/turbulenceProperties, key simulationType",
+            "Leave dispersion out, or choose a model: simulationType RAS."});
+    }
+}
+
 } // namespace
 
 ParcelForces::ParcelForces(const Scene& scene, const dictionary& effects, EffectTable& table)
@@ -50,6 +62,15 @@ ParcelForces::ParcelForces(const Scene& scene, const dictionary& effects, Effect
     {
         add(std::make_unique<SpinLift>(), spin);
     }
+    const Effect::Wish gusts = wish("dispersion");
+    if (gusts == Effect::Wish::on)
+    {
+        requireTurbulence(scene.mesh, p.where("dispersion"));
+    }
+    add(std::make_unique<Dispersion>(scene.coarseGraining), gusts);
+    auto rarefied = std::make_unique<Rarefaction>(scene.coarseGraining, pressureAtRest(scene.mesh));
+    rarefied_ = rarefied.get();
+    rarefaction_ = add(std::move(rarefied), wish("rarefaction"));
     others_ = std::make_unique<CaseEffects>(scene, p, table);
     p.allKnown();
 }
@@ -81,11 +102,11 @@ void ParcelForces::resume(const std::map<std::string, double>& largest, double t
     }
 }
 
-void ParcelForces::start(double density, const DemEngine& dem, double time)
+void ParcelForces::start(const AirAtRest& air, const DemEngine& dem, double time)
 {
     for (const Entry& entry : forces_)
     {
-        if (const std::optional<double> number = entry.force->numberAtStart(density, dem))
+        if (const std::optional<double> number = entry.force->numberAtStart(air, dem))
         {
             tell(table_, entry.place, *number, time);
         }

@@ -3,6 +3,7 @@
 
 #include "coupling/forces/CaseEffects.hpp"
 #include "coupling/forces/ParcelForce.hpp"
+#include "coupling/forces/Rarefaction.hpp"
 
 #include <map>
 #include <memory>
@@ -24,8 +25,8 @@ public:
     ParcelForces(const Scene& scene, const Foam::dictionary& effects, EffectTable& table);
     ~ParcelForces();
 
-    /// Collective. Decides what is known before the air has moved. `density` of the air [kg/m3], `time` [s].
-    void start(double density, const DemEngine& dem, double time);
+    /// Collective. Decides what is known before the air has moved. `time` [s].
+    void start(const AirAtRest& air, const DemEngine& dem, double time);
 
     /// Collective. For the step that is done by the air and not yet by the powder.
     void act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own, const Foam::Time& time);
@@ -35,6 +36,9 @@ public:
 
     /// Whether viscous stresses act on the powder; the air then keeps its own share of them only.
     bool viscous() const { return table_.on(viscous_); }
+
+    /// Mean free path of the air's molecules if drag is to know of it, else zero [m].
+    double freePath(const AirAtRest& air) const { return table_.on(rarefaction_) ? rarefied_->freePath(air) : 0; }
 
     /// Mass of fluid that parcels take along, by their volume [kg/m3].
     double addedDensity(double fluidDensity) const;
@@ -53,6 +57,8 @@ private:
     EffectTable& table_;
     std::size_t virtualMass_; // places in the table
     std::size_t viscous_;
+    std::size_t rarefaction_;
+    const Rarefaction* rarefied_; // one of the forces
 };
 
 } // namespace interstice

@@ -15,14 +15,14 @@ Effect VirtualMass::effect() const
 }
 
 // Of the lightest particle.
-std::optional<double> VirtualMass::numberAtStart(double density, const DemEngine& dem) const
+std::optional<double> VirtualMass::numberAtStart(const AirAtRest& air, const DemEngine& dem) const
 {
-    return virtualMassShare(dem.minimumDensity(), density);
+    return virtualMassShare(dem.minimumDensity(), air.density);
 }
 
 double VirtualMass::number(AirMotion& air, const DemEngine& dem) const
 {
-    return *numberAtStart(air.density, dem);
+    return *numberAtStart({air.density, air.largestViscosity()}, dem);
 }
 
 void VirtualMass::act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own)

@@ -20,7 +20,7 @@ public:
     static constexpr double coefficient = 0.5;
 
     Effect effect() const override;
-    std::optional<double> numberAtStart(double density, const DemEngine& dem) const override;
+    std::optional<double> numberAtStart(const AirAtRest& air, const DemEngine& dem) const override;
     double number(AirMotion& air, const DemEngine& dem) const override;
     void act(AirMotion& air, DemEngine& dem, std::vector<GasRecord>& own) override;
 };

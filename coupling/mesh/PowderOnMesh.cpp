@@ -2,6 +2,7 @@
 #include "coupling/mesh/PowderOnMesh.hpp"
 
 #include "coupling/laws/ImplicitDrag.hpp"
+#include "coupling/laws/drag/RarefiedDrag.hpp"
 #include "coupling/laws/sphereVolume.hpp"
 
 #include "zeroGradientFvPatchFields.H"
@@ -70,6 +71,12 @@ PowderOnMesh::PowderOnMesh(const fvMesh& mesh, const Settings& settings,
     carry_(cellField<vector>(mesh, "momentumCarry", dimForce/dimVolume, Zero,
         IOobject::NO_WRITE))
 {}
+
+void PowderOnMesh::rarefy(double meanFreePath)
+{
+    law_ = std::make_unique<RarefiedDrag>(std::move(law_), meanFreePath);
+    rarefied_ = true;
+}
 
 void PowderOnMesh::cover(const volScalarField& covered)
 {

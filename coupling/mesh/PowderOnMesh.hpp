@@ -67,6 +67,10 @@ public:
     const CellHalo& halo() const { return halo_; }
     const Smoothing& smoothing() const { return smoothing_; }
 
+    /// From now on drag is that of a gas with this mean free path [m], more than 0. Once; local.
+    void rarefy(double meanFreePath);
+    bool rarefied() const { return rarefied_; }
+
     /// Collective. Covered fraction of each cell; closes cells to powder and smoothing.
     void cover(const Foam::volScalarField& covered);
 
@@ -114,6 +118,7 @@ private:
     const Foam::fvMesh& mesh_;
     Settings settings_;
     std::unique_ptr<DragLaw> law_;
+    bool rarefied_ = false;
     CoarseGraining grains_;
     PeriodicBox box_;
     CellHalo halo_;

@@ -3,13 +3,11 @@
 number.
 
 pressureGradient always on; in a deep column of water at rest, its weight over that of the particles
-dispersion      drag of turbulence of k at sqrt(2 k/3) over weight above 0.1
 movingWalls     drag at the speed of a plate that the air does not see, 18 mu v/(rho_p g d^2), above 0.01
 turbulence      Reynolds number of the fastest air and the smallest extent of the mesh above 2000
 compressibility pressure above 5 % of 101325 Pa
 airGravity      density of the fluid above 1 % of the particles'
 history         Basset's force over Stokes' drag after one response time, 1.197 sqrt(rho/rho_p), above 0.1
-rarefaction     2.52 mean free paths of air, 63.7 nm, over the diameter above 0.05
 """
 import json
 import math
@@ -20,8 +18,7 @@ from harness.case import Box, Case
 from harness.laws import Air, GRAVITY, Powder
 
 WATER = Air(1000.0, 1e-3)
-KEYS = ("pressureGradient", "movingWalls", "turbulence", "compressibility", "airGravity", "history", "rarefaction",
-        "dispersion")
+KEYS = ("pressureGradient", "movingWalls", "turbulence", "compressibility", "airGravity", "history")
 PLATE_SPEED = 0.1  # [m/s]
 
 # Moves along x, across the middle of the box.
@@ -51,25 +48,6 @@ class WithPlate(Case):
         script.write_text(script.read_text().replace("thermo ", SCRIPT + "thermo "))
 
 
-class Turbulent(Case):
-    """The same with a k-epsilon model, of this k at the start [m2/s2]."""
-    energy, dissipation = 0.01, 0.1
-
-    def write(self, folder, ranks):
-        super().write(folder, ranks)
-        (folder/"constant/turbulenceProperties").write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }\n"
-            "simulationType RAS;\nRAS { RASModel kEpsilon; turbulence on; printCoeffs off; }\n")
-        solution = folder/"system/fvSolution"
-        solution.write_text(solution.read_text().replace('"U.*"', '"(U|k|epsilon).*"'))
-        pressure = (folder/"0/p").read_text()
-        for name, dimensions, value in (("k", "[0 2 -2 0 0 0 0]", self.energy),
-                                        ("epsilon", "[0 2 -3 0 0 0 0]", self.dissipation),
-                                        ("nut", "[0 2 -1 0 0 0 0]", 0.09*self.energy**2/self.dissipation)):
-            text = pressure.replace("object p;", f"object {name};").replace("[0 2 -2 0 0 0 0]", dimensions)
-            (folder/"0"/name).write_text(text.replace("uniform 0;", f"uniform {value};"))
-
-
 def scene(name, powder, height=0.01, kind=Case, **options):
     edge = 0.01
     sides = ("periodic",)*3 if "U" in options else ("noSlip",)*3
@@ -80,15 +58,12 @@ def scene(name, powder, height=0.01, kind=Case, **options):
 def verify(bench):
     down = {"airGravity": (0, 0, -GRAVITY)}
     bead = Powder(1e-3, 2500.0, WATER)
-    usual, smoke = Powder(), Powder(2e-6, 2500.0)
+    usual = Powder()
     blown = 18*usual.air.viscosity*PLATE_SPEED/(usual.density*GRAVITY*usual.diameter**2)
     for case, wanted in (
             (scene("powder in air", Powder()), {}),
             (scene("plate", usual, kind=WithPlate), {"movingWalls": blown}),
             (scene("plate, too slow for lead", Powder(1e-3, 11340.0), kind=WithPlate), {}),
-            (scene("smoke", smoke), {"rarefaction": 2.52*63.7e-9/2e-6}),
-            (scene("gusts", usual, kind=Turbulent, U=(0, 0, 0)),
-             {"dispersion": 18*usual.air.viscosity*math.sqrt(2*Turbulent.energy/3)/(usual.density*GRAVITY*usual.diameter**2)}),
             (scene("bead in water", bead), {"airGravity": 0.4, "history": 1.197*math.sqrt(0.4)}),
             (scene("less than 2000", Powder(), U=(0, 0, 2.8)), {}),
             (scene("more than 2000", Powder(), U=(0, 0, 3.1)), {"turbulence": 3.1*0.01*1.225/1.7894e-5}),
