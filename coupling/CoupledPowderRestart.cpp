@@ -47,7 +47,10 @@ Checkpoint CoupledPowder::record() const
     c.lag = lag_;
     for (const Effect& effect : effects_.effects())
     {
-        c.effects[effect.key] = effect.largest;
+        if (effect.largest)
+        {
+            c.effects[effect.key] = *effect.largest;
+        }
     }
     c.initialMass = state_.initialMass;
     c.lost = state_.lost;

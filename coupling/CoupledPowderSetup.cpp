@@ -93,7 +93,10 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     forces_ = std::make_unique<ParcelForces>(
         Scene{mesh, *dem_, coarseGraining_, Parameters(powder).where("coarseGraining"), solidWalls_},
         p.sub("effects"), effects_);
-    forces_->start({density_, viscosity_}, *dem_, mesh_.time().value());
+    if (hasAir())
+    {
+        forces_->start({density_, viscosity_}, *dem_, mesh_.time().value());
+    }
     p.allGroupsKnown();
     checkScene();
     checkSmoothing(p.sub("voidFraction").getOrDefault<scalar>("smoothingWidth", 0),
@@ -189,7 +192,10 @@ void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool drive
     effect.on = hasAir();
     effect.how = nameOf(air_);
     effect.by = wish ? "user" : !felt && driven ? "drive" : "number";
-    effect.largest = hasAir() ? number : 0;
+    if (hasAir() || !felt)
+    {
+        effect.largest = number;
+    }
     airPlace_ = effects_.add(effect);
     if (!wish && !hasAir())
     {

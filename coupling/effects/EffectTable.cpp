@@ -66,7 +66,7 @@ std::string EffectTable::meet(std::size_t place, double value, double time)
 {
     Effect& effect = effects_[place];
     const bool before = effect.askedFor();
-    effect.largest = std::max(effect.largest, value);
+    effect.largest = std::max(effect.largest.value_or(value), value);
     if (before || !effect.askedFor())
     {
         return {};
@@ -108,8 +108,8 @@ std::string EffectTable::text(double wall) const
     for (const Effect& effect : effects_)
     {
         const std::string state = effect.on ? "on" : "off";
-        table += line(effect.key, effect.how.empty() ? state : effect.how, decidedBy(effect), shown(effect.largest),
-                     shown(effect.limit), wall > 0 ? shareOf(wall, effect.seconds) : "")
+        table += line(effect.key, effect.how.empty() ? state : effect.how, decidedBy(effect),
+                     effect.largest ? shown(*effect.largest) : "-", shown(effect.limit), wall > 0 ? shareOf(wall, effect.seconds) : "")
             + "   " + effect.number + '\n';
     }
     return table;

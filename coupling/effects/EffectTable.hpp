@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,14 @@ struct Effect
     double limit = 0; ///< up to it the effect may be left out
     Wish wish = Wish::automatic;
 
-    double largest = 0; ///< of the number, so far
+    std::optional<double> largest = {}; ///< of the number, so far; none before anybody has looked
     bool on = false;
     std::string how = {}; ///< if there is more to say than on or off
     std::string by = {}; ///< who decided, if neither the user nor the number
     double since = 0; ///< time from which on the number asked for it [s]
     double seconds = 0; ///< of wall time that it cost on this rank so far
 
-    bool askedFor() const { return largest > limit; }
+    bool askedFor() const { return largest && *largest > limit; }
 };
 
 /// The effects of a run: which are simulated, by which number, and who decided. All member functions

@@ -217,8 +217,13 @@ void RunLog::json(
     const EffectTable met = effects(times);
     for (const Effect& effect : met.effects())
     {
+        nlohmann::ordered_json number; // null before anybody has looked
+        if (effect.largest)
+        {
+            number = *effect.largest;
+        }
         out["effects"][effect.key] = {{"on", effect.on}, {"how", effect.how}, {"by", EffectTable::decidedBy(effect)},
-            {"number", effect.largest}, {"limit", effect.limit}, {"meaning", effect.number}, {"seconds", effect.seconds}};
+            {"number", number}, {"limit", effect.limit}, {"meaning", effect.number}, {"seconds", effect.seconds}};
     }
     out["bytesPerParticleStep"] = traffic.bytesPerParticle;
     out["messagesPerRankStep"] = traffic.messagesPerRank;

@@ -99,7 +99,15 @@ def judgeLate(bench):
     bench.near(run, "9.56e6/zeta", 9.56e6/(sensitivity(Powder(Joined.finer, 7360.0))), float(told[0]), 5e-2)
 
 
+def judgeVacuum(bench):
+    """Foam in a vacuum takes no air along."""
+    run = bench.run(Case("foam without air", Box((EDGE,)*3, (5,)*3, ("noSlip",)*3), Powder(1e-3, 10.0), positions=[(EDGE/2,)*3],
+                         air="none", effects="", gravity=(0, 0, -GRAVITY), subSteps=4), impulse=math.inf)
+    bench.equal(run, "told to be simulated", 0, len(re.findall(r"(\w+) is simulated from", run.log)), 0)
+
+
 def verify(bench):
+    judgeVacuum(bench)
     judgeLate(bench)
     judgeGiven(bench)
     judgeChoice(bench)

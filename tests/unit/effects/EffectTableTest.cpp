@@ -48,7 +48,7 @@ TEST(EffectTable, AUserWhoIsWrongIsToldOnceAndObeyed)
 TEST(EffectTable, AnEffectMayBeOnAndMissingSomewhere)
 {
     EffectTable table;
-    table.add({"walls", "speed of an unseen one", 0.1, Effect::Wish::off, 0, true});
+    table.add({"walls", "speed of an unseen one", 0.1, Effect::Wish::off, {}, true});
     EXPECT_EQ(table.meet(0, 0.2, 1.0),
         "walls is not simulated everywhere, and would matter: speed of an unseen one is 0.2, above 0.1.");
     EXPECT_TRUE(table.on(0));
@@ -77,7 +77,7 @@ TEST(EffectTable, TellsWhatShareOfTheTimeAnEffectCost)
     table.spend(0, 0.5);
     EXPECT_EQ(table.text(60),
         "    effect                  by         number   limit      time\n"
-        "    lift             on     user            0     0.1    1.25 %   lift over drag\n");
+        "    lift             on     user            -     0.1    1.25 %   lift over drag\n");
     {
         const EffectTable::Timed timed(table, 0);
     }
