@@ -144,7 +144,9 @@ def limits(choices, measure, found):
                       "" if fit.chiSquare is None else f"{fit.chiSquare:.2g}", verdict])
     return ("Where it tends to (y = y0 + C h^p, p given), and how far off the reference is:\n\n"
             + table(["knob", "order p", "values", "y0", "error of the reference",
-                     "chi^2 per freedom", "verdict"], lines))
+                     "chi^2 per freedom", "verdict"], lines)
+            + "\n\nEach knob was varied alone. Where two act together, as cells and smoothing do by which a parcel's volume is "
+            "spread, one by itself may tend to somewhere else than both do: vary them together before you pay for its limit.")
 
 
 def tooFew(choices, measure, found, orders):
