@@ -53,8 +53,7 @@ TEST(AirSpin, FollowsTheExponentialOfAFrozenAir)
     }
 }
 
-// A set-up between two intervals finds torques anew; what the air had in them must not count twice. The first set-up
-// after their definition makes LIGGGHTS fill the rows anew.
+// A set-up between two intervals finds torques anew; what the air had in them must not count twice.
 TEST(AirSpin, GoesOnThroughASetUp)
 {
     DemEngine dem(MPI_COMM_WORLD, optionsFor());
