@@ -4,6 +4,7 @@
 What draws them is imported when it is needed: matplotlib takes a second, which `figures --list` and
 bad input need not wait for.
 """
+import importlib
 from dataclasses import dataclass
 
 SIZE, DENSITY, SPEED = "particleDiameter", "particleDensity", "shoeSpeed"
@@ -59,14 +60,15 @@ class Scatter:
 
 
 @dataclass
-class Surface:
+class OfItsOwn:
+    """Drawn by a file of its name."""
     number: str
     text: str
-    study: str = "coarseGraining.yaml"
+    file: str
+    study: str
 
     def draw(self, table, chosen):
-        import surface
-        return surface.draw(table, chosen, self.study)
+        return importlib.import_module(self.file).draw(table, chosen, self.study)
 
 
 @dataclass
@@ -103,17 +105,6 @@ class Critical:
         return (criticalSize.predicted if self.predicted else criticalSize.draw)(series)
 
 
-@dataclass
-class AirSensitivity:
-    number: str
-    text: str
-    study: str = "airSensitivity.yaml"
-
-    def draw(self, table, chosen):
-        import airSensitivity
-        return airSensitivity.draw(table, chosen, self.study)
-
-
 FIGURES = {
     "fillingOverSize": Lines("5", "filling ratio against d_p/h_D", FILLING, "dpOverHd", SPEED, DENSITY),
     "fillingOverReynolds": Lines("6", "filling ratio against v rho_g L_D/mu_g", FILLING, "shoeReynolds",
@@ -134,8 +125,9 @@ FIGURES = {
                               SPEED),
     "fillingOverCavity": Lines("16", "filling ratio against L_D/h_D", FILLING, "LdOverHd", "dieDepth",
                                SPEED, "cavity.yaml", False),
-    "surface": Surface("17", "surface in the die, for each k"),
+    "surface": OfItsOwn("17", "surface in the die, for each k", "surface", "coarseGraining.yaml"),
     "criticalSize": Critical("18", "critical d_p/h_D against v rho_g L_D/mu_g, beside Eq 21"),
     "predicted": Critical("19", "critical d_p/h_D, predicted against measured", predicted=True),
-    "airSensitivity": AirSensitivity("-", "not of that study: filling ratio with and without air against d_p"),
+    "airSensitivity": OfItsOwn("-", "not of that study: filling ratio with and without air against d_p", "airSensitivity",
+                               "airSensitivity.yaml"),
 }
