@@ -6,9 +6,11 @@ jet      light grains fall through sheared air: lift
 beads    light beads rise in water: virtual mass
 hopper   coarse heavy spheres run out: no air at all
 """
+import math
 import os
 import resource
 import shutil
+import statistics
 import subprocess
 import sys
 from pathlib import Path
@@ -33,6 +35,9 @@ SETS = ("auto", "all", "picked")
 
 class Grains:
     """A scene of the verification tests. `picked`: the effects of a hand."""
+
+    repeats = math.inf  # as many as are asked for
+    errors = {which: 0.0 for which in SETS}  # the same grains in each run
 
     def __init__(self, name, picked, make, measure):
         self.name, self.make, self.measure = name, make, measure
@@ -87,7 +92,12 @@ def beads(effects):
 class Hopper:
     """foam_cases/hopper with its bed; all: with air and every force of it."""
     name = "hopper: discharge [kg/s]"
+    repeats = 1  # of eight minutes
     changes = {"auto": {}, "all": {"air": "on", "parcelForces": "on"}, "picked": {"air": "off"}}
+    late, block, end = 0.05, 0.05, 0.4  # [s]: flows evenly from then on; blocks know nothing of each other
+
+    def __init__(self):
+        self.errors = {}
 
     def prepare(self):
         """The bed, which all runs begin with."""
@@ -97,12 +107,17 @@ class Hopper:
     def run(self, which, folder):
         case = root/"foam_cases/hopper"
         name = f"effects{which}"
-        quietly([case/"variant", name, *(f"{k}={v}" for k, v in self.changes[which].items())], case)
+        changes = {"endTime": self.end, **self.changes[which]}
+        quietly([case/"variant", name, *(f"{k}={v}" for k, v in changes.items())], case)
         quietly([case/"variants"/name/"run", "-np", "1"], case)
         rows = [line.split() for line in (case/"variants"/name/"postProcessing/powderBalance/0/powderBalance.dat")
                 .read_text().splitlines() if not line.startswith("#")]
-        late = [(float(row[0]), float(row[1])) for row in rows if float(row[0]) >= 0.05]  # flows evenly by then
-        return (late[0][1] - late[-1][1])/(late[-1][0] - late[0][0])
+        late = [(float(row[0]), float(row[1])) for row in rows if float(row[0]) >= self.late - 1e-9]
+        flow = lambda rows: (rows[0][1] - rows[-1][1])/(rows[-1][0] - rows[0][0])
+        count = round((self.end - self.late)/self.block)
+        each = [flow([row for row in late if 0 <= row[0] - self.late - n*self.block < self.block]) for n in range(count)]
+        self.errors[which] = statistics.stdev(each)/math.sqrt(count)/statistics.mean(each)
+        return flow(late)
 
 
 def quietly(command, folder):
