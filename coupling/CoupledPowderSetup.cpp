@@ -177,7 +177,7 @@ double CoupledPowder::airNumber() const
         smallest = min(smallest, airSensitivity(filling));
     }
     reduce(smallest, minOp<double>());
-    return dem_->particleCount() > 0 ? criticalAirSensitivity/max(smallest, SMALL) : GREAT;
+    return dem_->particleCount() > 0 ? airlessSensitivity/max(smallest, SMALL) : GREAT;
 }
 
 // By itself the air is left out if nothing but powder could move it, and the powder does not feel it. Later it cannot be
@@ -185,7 +185,7 @@ double CoupledPowder::airNumber() const
 void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool driven)
 {
     const double number = airNumber();
-    Effect effect{"air", "9.56e6 over zeta, the sensitivity to air", 1};
+    Effect effect{"air", "1.91e7 over zeta, the sensitivity to air", 1};
     const bool felt = number > effect.limit;
     air_ = wish ? *wish : felt || driven ? AirCoupling::twoWay : AirCoupling::none;
     effect.wish = hasAir() ? wish ? Effect::Wish::on : Effect::Wish::automatic : Effect::Wish::off;
@@ -199,7 +199,7 @@ void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool drive
     airPlace_ = effects_.add(effect);
     if (!wish && !hasAir())
     {
-        Info<< "The air is left out: zeta is " << criticalAirSensitivity/number << ", above " << criticalAirSensitivity
+        Info<< "The air is left out: zeta is " << airlessSensitivity/number << ", above " << airlessSensitivity
             << ", and nothing but powder could move it. Set air on to simulate it." << nl << endl;
     }
     else if (!hasAir())

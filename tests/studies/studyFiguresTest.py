@@ -290,11 +290,11 @@ class Surface(Folder):
 
 
 class AirSensitivity(Folder):
-    def testTheSizeIsThatOfGuosNumber(self):
-        """Reckoned apart: (9.56e6 (1.7894e-5)^2/(7360 (7360 - 1.225) 9.81))^(1/3) = 179.3 um."""
+    def testTheSizeIsThatOfTwiceGuosNumber(self):
+        """Reckoned apart: (1.912e7 (1.7894e-5)^2/(7360 (7360 - 1.225) 9.81))^(1/3) = 225.9 um."""
         axes, = self.drawn(SENSITIVITY, "airSensitivity").axes
         dashed, = [line for line in axes.lines if line.get_linestyle() == "--"]
-        self.assertAlmostEqual(dashed.get_xdata()[0], 179.3, delta=0.1)
+        self.assertAlmostEqual(dashed.get_xdata()[0], 225.9, delta=0.1)
 
     def testAirIsDrawnOverSizeAndTheLevelWithout(self):
         axes, = self.drawn(SENSITIVITY, "airSensitivity").axes

@@ -8,14 +8,14 @@ import tableFile
 from badInput import BadInput
 from panels import numbers
 
-CRITICAL = 9.56e6  # of zeta [Y. Guo et al., AIChE J. 55 (2009) 49-62]
+LEFT_OUT = 2*9.56e6  # zeta; critical is half of it [Y. Guo et al., AIChE J. 55 (2009) 49-62]
 SIZE, FILLING = "particleDiameter", "fillingRatioPassed"
 
 
-def criticalSize(row):
-    """Where zeta = rho_p (rho_p - rho_g) g d^3/mu^2 is critical [m]."""
+def airlessSize(row):
+    """From which on the air is left out by zeta = rho_p (rho_p - rho_g) g d^3/mu^2 [m]."""
     density, gas, viscosity = (tableFile.number(row[key]) for key in ("particleDensity", "airDensity", "airViscosity"))
-    return (CRITICAL*viscosity**2/(density*(density - gas)*9.81))**(1/3)
+    return (LEFT_OUT*viscosity**2/(density*(density - gas)*9.81))**(1/3)
 
 
 def draw(table, chosen, study):
@@ -35,8 +35,8 @@ def draw(table, chosen, study):
     y, dy = numbers(table, blown, FILLING)
     axes.errorbar([1e6*tableFile.number(row[SIZE]) for row in blown], y, dy, color=engine.COLOURS[0], marker="o", ms=4.5,
                   mec="white", mew=0.4, capsize=2.5, lw=1, elinewidth=0.9, label="with air")
-    size = 1e6*criticalSize(blown[0])
-    axes.axvline(size, color=engine.COLOURS[1], lw=1, ls="--", label=rf"$\zeta = 9.56\times10^6$: {size:.0f} µm")
+    size = 1e6*airlessSize(blown[0])
+    axes.axvline(size, color=engine.COLOURS[1], lw=1, ls="--", label=rf"$\zeta = 1.91\times10^7$: {size:.0f} µm")
     axes.set(xscale="log", xlabel=r"particle diameter $d_\mathrm{p}$ [µm]", ylabel=table.label(FILLING))
     axes.set_xticks([20, 40, 80, 160, 400], ["20", "40", "80", "160", "400"])
     axes.minorticks_off()
