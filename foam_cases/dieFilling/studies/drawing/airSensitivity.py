@@ -41,5 +41,5 @@ def draw(table, chosen, study):
     axes.set_xticks([20, 40, 80, 160, 400], ["20", "40", "80", "160", "400"])
     axes.minorticks_off()
     axes.set_ylim(bottom=0)
-    axes.legend(frameon=False, fontsize=8, loc="lower right")
+    axes.legend(frameon=False, fontsize=8, loc="lower center")
     return fig
