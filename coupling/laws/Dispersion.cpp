@@ -34,7 +34,7 @@ double lagrangianTime(double energy, double dissipation)
 
 double seenTime(double time, double slip, double rms)
 {
-    return rms > 0 ? time/std::sqrt(1 + slip*slip/(rms*rms)) : 0;
+    return rms > 0 ? time*rms/std::hypot(rms, slip) : 0;
 }
 
 LangevinStep::LangevinStep(double ratio)

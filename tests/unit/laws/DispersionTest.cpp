@@ -88,6 +88,7 @@ TEST(TurbulentTime, IsOfTheLargeEddies)
     EXPECT_EQ(lagrangianTime(0, 0), 0);
     EXPECT_NEAR(seenTime(0.4, std::sqrt(3.0), 1), 0.2, 1e-12);
     EXPECT_EQ(seenTime(0.4, 1, 0), 0);
+    EXPECT_NEAR(seenTime(0.4, 0, 1e-200), 0.4, 1e-12);
 }
 
 // Of neighbours in number and time: none may know of another.
