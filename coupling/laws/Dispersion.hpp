@@ -21,7 +21,7 @@ namespace interstice
 double lagrangianTime(double energy, double dissipation);
 
 /// The same along the path of a grain that slips through the eddies, T_L/sqrt(1 + (slip/s)^2): G.T. Csanady, J. Atmos.
-/// Sci. 20 (1963) 201-208, for the direction of the slip, with eddies of the length s T_L.
+/// Sci. 20 (1963) 201-208, for the direction of the slip, with eddies of the length s T_L; taken for all directions here.
 double seenTime(double lagrangianTime, double slip, double rms);
 
 /// A step of the equation above for fixed s, T and drift, exact whatever its length: w at its end and the mean of w over
