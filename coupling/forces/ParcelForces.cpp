@@ -30,6 +30,17 @@ void requireGrains(double coarseGraining, const std::string& key, const std::str
     }
 }
 
+void requireGas(double density, const std::string& key)
+{
+    if (!Rarefaction::isGas(density))
+    {
+        throw InputError({"Only a gas slips on grains.", "rarefaction on, " + Foam::name(density) + " kg/m3",
+            "rarefaction off or auto, or a gas: " + Foam::name(Rarefaction::densestGas) + " kg/m3 at most",
+            key + "; constant/transportProperties, key rho",
+            "Leave rarefaction out: molecules of a liquid have no free path."});
+    }
+}
+
 void requireTurbulence(const fvMesh& mesh, const std::string& key)
 {
     if (!turbulent(mesh))
@@ -71,6 +82,7 @@ ParcelForces::ParcelForces(const Scene& scene, const dictionary& effects, Effect
     auto rarefied = std::make_unique<Rarefaction>(scene.coarseGraining, pressureAtRest(scene.mesh));
     rarefied_ = rarefied.get();
     rarefaction_ = add(std::move(rarefied), wish("rarefaction"));
+    rarefactionAt_ = p.where("rarefaction");
     others_ = std::make_unique<CaseEffects>(scene, p, table);
     p.allKnown();
 }
@@ -104,6 +116,10 @@ void ParcelForces::resume(const std::map<std::string, double>& largest, double t
 
 void ParcelForces::start(const AirAtRest& air, const DemEngine& dem, double time)
 {
+    if (table_.effects()[rarefaction_].wish == Effect::Wish::on)
+    {
+        requireGas(air.density, rarefactionAt_);
+    }
     for (const Entry& entry : forces_)
     {
         if (const std::optional<double> number = entry.force->numberAtStart(air, dem))

@@ -25,7 +25,8 @@ public:
     ParcelForces(const Scene& scene, const Foam::dictionary& effects, EffectTable& table);
     ~ParcelForces();
 
-    /// Collective. Decides what is known before the air has moved. `time` [s].
+    /// Collective. Decides what is known before the air has moved. `time` [s]. Throws InputError if a liquid is asked to
+    /// slip as only a gas does.
     void start(const AirAtRest& air, const DemEngine& dem, double time);
 
     /// Collective. For the step that is done by the air and not yet by the powder.
@@ -59,6 +60,7 @@ private:
     std::size_t viscous_;
     std::size_t rarefaction_;
     const Rarefaction* rarefied_; // one of the forces
+    std::string rarefactionAt_; // file and key
 };
 
 } // namespace interstice

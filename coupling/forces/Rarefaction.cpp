@@ -6,13 +6,6 @@
 namespace interstice
 {
 
-namespace
-{
-
-constexpr double densestGas = 100; // [kg/m3]
-
-} // namespace
-
 Effect Rarefaction::effect() const
 {
     return {"rarefaction", "share of drag that a gas lacks, 2.5 free paths over d", largestRarefiedShare};
@@ -20,7 +13,7 @@ Effect Rarefaction::effect() const
 
 double Rarefaction::freePath(const AirAtRest& air) const
 {
-    return air.density > densestGas ? 0 : meanFreePath(air.density, air.viscosity, pressure_);
+    return isGas(air.density) ? meanFreePath(air.density, air.viscosity, pressure_) : 0;
 }
 
 // Of the smallest grain.

@@ -19,6 +19,9 @@ public:
     double number(AirMotion& air, const DemEngine& dem) const override;
     void act(AirMotion&, DemEngine&, std::vector<GasRecord>&) override {}
 
+    static constexpr double densestGas = 100; ///< [kg/m3]
+    static bool isGas(double density) { return density <= densestGas; }
+
     /// Mean free path of its molecules [m]; zero for a liquid.
     double freePath(const AirAtRest& air) const;
 

@@ -243,6 +243,16 @@ class BubblingBed(ACase):
         for words in ("spheres of the lattice overlap", "found   0.00026 m", "wanted  0 to 0.00025 m"):
             self.assertIn(words, refused.stderr)
 
+    def testSettlesForSoManySteps(self):
+        """0.6 s of 0.01 ms."""
+        folder = self.variant("lying", "settleTime=0.6")
+        self.assertEqual(self.ended(folder/"prepare").returncode, 0)
+        self.assertEqual(self.derived(folder)["settleSteps"], "60000")
+        refused = self.ended(self.variant("backwards", "settleTime=-0.1")/"prepare")
+        self.assertEqual(refused.returncode, 1)
+        for words in ("settleTime in system/caseParameters", "found   -0.1 s", "wanted  0 s"):
+            self.assertIn(words, refused.stderr)
+
 
 class Die(ACase):
     name = "dieFilling"

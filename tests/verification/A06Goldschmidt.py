@@ -45,7 +45,7 @@ START = 0.5  # of the means [s]
 DROP = 2e-2
 MEAN_HEIGHT = 1e-1
 MASS = 1e-12  # missing, of all
-ALONE = {"parcelForces": "off", "displacement": 2e-4, "settleTime": 0.5}
+ALONE = {"parcelForces": "off", "displacement": 2e-4, "settleTime": 0.6}
 SYMMETRY = {**ALONE, "depthMargin": RADIUS, "frontFriction": 0}  # planes as DPMFoam's
 
 

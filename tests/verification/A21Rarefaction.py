@@ -4,7 +4,7 @@ and lambda = mu sqrt(pi/(2 p rho)) (C.N. Davies, Proc. Phys. Soc. 57 (1945) 259-
 
 a  A grain that falls is that much faster than Stokes has it, in the end and on the way there.
 b  Air that flows through a frozen bed loses that much less pressure.
-c  `auto` decides by 2.52 lambda/d at the start, and later if a grain calls for it; water has none.
+c  `auto` decides by 2.52 lambda/d at the start, and later if a grain calls for it; water has none, and is refused it.
 """
 import math
 
@@ -72,6 +72,8 @@ def judgeChoice(bench):
     water = Powder(1e-6, 2500.0, Air(1000.0, 1e-3), stokes)
     run = bench.run(falling("water", water, 101325, "", deltaT=1e-8, endTime=1e-7), impulse=math.inf)
     bench.equal(run, "told to be simulated", 0, "rarefaction is simulated" in run.log, 0)
+    bench.refused(falling("slipping water", water, 101325, ALONE, deltaT=1e-8, endTime=1e-7),
+                  "rarefaction on, 1000 kg/m3", "effects, key rarefaction", "transportProperties, key rho")
 
 
 def verify(bench):
