@@ -5,10 +5,13 @@ a  Grains that follow the air spread as G.I. Taylor, Proc. London Math. Soc. 20 
    memory: 2 s^2 T (t - T (1 - exp(-t/T))) a direction, whatever the time step.
 b  Grains that fall through it at a speed v_t remember it for T/sqrt(1 + (v_t/s)^2), and move with the mean square
    s^2 T/(T + t_p) of C.-M. Tchen (1947) for that time.
-c  Where k is uneven, grains that follow the air stay evenly spread (D.J. Thomson, J. Fluid Mech. 180 (1987) 529-556).
+c  Where k is uneven, grains that follow the air stay evenly spread (D.J. Thomson, J. Fluid Mech. 180 (1987) 529-556);
+   heavy ones gather where it is calm: D dn/dx = -n t_p d<v^2>/dx with D = s^2 T and <v^2> = s^2 T/(T + t_p) (M.W. Reeks,
+   J. Aerosol Sci. 14 (1983) 729-739), so that n s^m is even, m = 2 t_p/(T + t_p) = 2 (1 - <v^2>/s^2).
 d  What the grains get, the air loses; any ranks give the same path; so does a run that was stopped in between.
 e  `auto` turns it on by drag over weight; not in a bed; laminar air cannot have it.
 """
+import itertools
 import math
 import random
 
@@ -108,19 +111,51 @@ def judgeFall(bench):
                meanSquare([x for v in velocities for x in (v[0], v[1], v[2] - mean)]), SCATTER + 1e-2)
 
 
-def judgeEvenness(bench):
-    edge, memory = 0.02, 0.005
-    box = Box((edge,)*3, (30, 5, 5))
+MANY = 20000
+WAVE = 4*math.sqrt(2/MANY)  # of a wave of density, four standard errors
+
+
+def wavy(name, edge, powder, rms, density=lambda x: 1, **options):
+    """Grains in a held air whose fluctuations are rms(x), with x in lengths of the box; as densely as density(x), 1 at most."""
     chance = random.Random(1)
-    times = {"deltaT": 5e-4, "endTime": 0.2}
-    run = bench.run(Turbulent("uneven", box, Powder(2e-6, 1000.0, law=stokes), memory=memory, air="oneWay",
-                              rms=lambda x: 0.1*(1 + 0.5*math.sin(2*math.pi*x)), lawName="Stokes", effects=ALONE,
-                              positions=[tuple(edge*chance.random() for _ in range(3)) for _ in range(20000)],
-                              **times, **ends(times)), impulse=math.inf)
+    places = (tuple(chance.random() for _ in range(3)) for _ in itertools.count())
+    chosen = itertools.islice((place for place in places if chance.random() < density(place[0])), MANY)
+    return Turbulent(name, Box((edge,)*3, (30, 5, 5)), powder, rms=rms, air="oneWay", lawName="Stokes", effects=ALONE,
+                     positions=[tuple(edge*x for x in place) for place in chosen], **options, **ends(options))
+
+
+def sine(x):
+    return math.sin(2*math.pi*x)
+
+
+def inTheEnd(run):
+    """Place in lengths of the box, and velocity, of each grain."""
     record = run.record()
-    phases = [2*math.pi*x[0]/edge for x, _ in record[max(record)].values()]
-    wave = 2*sum(math.sin(p) for p in phases)/len(phases)
-    bench.equal(run, "wave of the density, of its mean", 0, wave, 4*math.sqrt(2/len(phases)))
+    return [(x[0]/run.case.box.size[0], v) for x, v in record[max(record)].values()]
+
+
+def judgeEvenness(bench):
+    run = bench.run(wavy("uneven", 0.02, Powder(2e-6, 1000.0, law=stokes), lambda x: 0.1*(1 + 0.5*sine(x)),
+                         memory=5e-3, deltaT=5e-4, endTime=0.2), impulse=math.inf)
+    wave = 2*sum(sine(x) for x, _ in inTheEnd(run))/MANY
+    bench.equal(run, "wave of the density, of its mean", 0, wave, WAVE)
+
+
+def judgeGathering(bench):
+    """Paths of a fortieth of the box; a time in which a wave of density fades to a tenth; the start is near the law."""
+    powder = Powder(10e-6, 7360.0, law=stokes)
+    response = powder.density*powder.diameter**2/(18*powder.air.viscosity)
+    memory = response/4
+    rms = lambda x: 1 + 0.3*sine(x)
+    run = bench.run(wavy("gathering", 40*response/math.sqrt(5), powder, rms, lambda x: (0.7/rms(x))**1.7, memory=memory,
+                         deltaT=memory/2, endTime=150*response), impulse=math.inf)
+    grains = inTheEnd(run)
+    share = sum(meanSquare(v)/rms(x)**2 for x, v in grains)/MANY
+    middles = [(i + 0.5)/1000 for i in range(1000)]
+    density = [rms(x)**(2*(share - 1)) for x in middles]
+    expected = 2*sum(n*sine(x) for n, x in zip(density, middles))/sum(density)
+    bench.equal(run, "wave of the density of heavy grains, of its mean", expected,
+                2*sum(sine(x) for x, _ in grains)/MANY, WAVE)
 
 
 class Gusty(Turbulent, sheared.Sheared):
@@ -180,6 +215,7 @@ def verify(bench):
         judgeSpread(bench)
         judgeFall(bench)
         judgeEvenness(bench)
+        judgeGathering(bench)
         judgeRestart(bench)
     judgeMomentum(bench)
     judgeChoice(bench)
