@@ -89,6 +89,20 @@ ParcelForces::ParcelForces(const Scene& scene, const dictionary& effects, Effect
 
 ParcelForces::~ParcelForces() = default;
 
+word ParcelForces::wantedOfTheAir(const dictionary& effects)
+{
+    const Parameters p(effects);
+    for (const word& key : effects.sortedToc())
+    {
+        const bool contact = key == "rollingFriction" || key == "cohesion";
+        if (!contact && EffectTable::wish(p.name(key, "auto"), p.where(key)) == Effect::Wish::on)
+        {
+            return key;
+        }
+    }
+    return {};
+}
+
 std::size_t ParcelForces::add(std::unique_ptr<ParcelForce> force, Effect::Wish wish)
 {
     Effect effect = force->effect();

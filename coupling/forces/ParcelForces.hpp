@@ -25,6 +25,9 @@ public:
     ParcelForces(const Scene& scene, const Foam::dictionary& effects, EffectTable& table);
     ~ParcelForces();
 
+    /// First key of `effects` that is on and means nothing without air; empty if none is. Local. Throws as the constructor.
+    static Foam::word wantedOfTheAir(const Foam::dictionary& effects);
+
     /// Collective. Decides what is known before the air has moved. `time` [s]. Throws InputError if a liquid is asked to
     /// slip as only a gas does.
     void start(const AirAtRest& air, const DemEngine& dem, double time);

@@ -6,7 +6,8 @@ a  `oneWay`: grains in given air, with a velocity u and a pressure gradient G al
    was given, to the last digit.
 b  `auto` leaves the air out where zeta = rho_a (rho_s - rho_a) g d^3/mu^2 rho_s/rho_a exceeds twice 9.56e6 [Y. Guo et al.,
    AIChE J. 55 (2009) 49-62] and nothing but powder could move it: grains then fall freely. Finer ones meet air, and
-   those in air that flows through a boundary.
+   those in air that flows through a boundary, and those that are to feel an effect of it. Asking for that and for no air
+   is refused.
 c  Finer grains that appear when the air is left out find none, and the user is told.
 """
 import math
@@ -57,12 +58,14 @@ def sensitivity(powder):
 def judgeChoice(bench):
     limit = (LEFT_OUT*GRAIN.air.viscosity**2/(7360*(7360 - 1.225)*GRAVITY))**(1/3)
     still, through = ("noSlip",)*3, ("noSlip", "noSlip", ("inlet", "outlet"))
-    for name, size, sides, speed, kept in (("fine", 0.99*limit, still, 0, True), ("coarse", 1.01*limit, still, 0, False),
-                                           ("coarse, driven", 1.01*limit, through, 1.0, True)):
+    for name, size, sides, speed, effects, kept in (("fine", 0.99*limit, still, 0, "", True),
+                                                    ("coarse", 1.01*limit, still, 0, "", False),
+                                                    ("coarse, driven", 1.01*limit, through, 1.0, "", True),
+                                                    ("coarse, wanted", 1.01*limit, still, 0, "virtualMass on;", True)):
         powder = Powder(size, 7360.0)
         deltaT = 1e-4
         run = bench.run(Case(name, Box((EDGE,)*3, (5,)*3, sides), powder, positions=[(EDGE/2,)*3], air="auto",
-                             U=(0, 0, speed), gravity=(0, 0, -GRAVITY), deltaT=deltaT, subSteps=4, endTime=10*deltaT),
+                             effects=effects, U=(0, 0, speed), gravity=(0, 0, -GRAVITY), deltaT=deltaT, subSteps=4, endTime=10*deltaT),
                         impulse=math.inf)
         bench.equal(run, "told to be left out", not kept, "The air is left out: zeta is" in run.log, 0)
         bench.equal(run, "steps with air", 10 if kept else 0, len(re.findall(r"p iterations", run.log)), 0)
@@ -105,6 +108,9 @@ def judgeVacuum(bench):
     run = bench.run(Case("foam without air", Box((EDGE,)*3, (5,)*3, ("noSlip",)*3), Powder(1e-3, 10.0), positions=[(EDGE/2,)*3],
                          air="none", effects="", gravity=(0, 0, -GRAVITY), subSteps=4), impulse=math.inf)
     bench.equal(run, "told to be simulated", 0, len(re.findall(r"(\w+) is simulated from", run.log)), 0)
+    bench.refused(Case("virtual mass without air", Box((EDGE,)*3, (5,)*3, ("noSlip",)*3), Powder(1e-3, 10.0),
+                       positions=[(EDGE/2,)*3], air="none", effects="virtualMass on;"),
+                  "air none, virtualMass on", "key air;", "effects, key virtualMass")
 
 
 def verify(bench):
