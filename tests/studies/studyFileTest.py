@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From a study file to runs; each bad input gets one sentence, and nothing is run."""
+import re
 import shutil
 import subprocess
 import sys
@@ -62,6 +63,16 @@ class TheRuns(InThisProcess):
         self.assertEqual(runs, ["ranks=2", "ranks=2 seed=5", "ranks=2 seed=7"])
         self.assertIn("1 variants, 3 runs", out)
         self.assertEqual(len(self.runs("packings: 4\n")[0]), 4)
+
+    def testTakeNoSeedThatAScriptUsesItself(self):
+        """LIGGGHTS refuses to pour where two seeds are alike."""
+        seeds = {word.split("=")[1] for run in self.runs("packings: 10\n")[0] for word in run.split() if "seed" in word}
+        self.assertEqual(len(seeds), 9)  # and the case's own
+        sources = [*(ROOT/"liggghts_scripts").glob("*.in"), *(ROOT/"foam_cases").glob("*/*.in"),
+                   *(ROOT/"foam_cases").glob("*/scene/*.py")]
+        used = set(re.findall(r"\b\d{8,}\b", "".join(path.read_text() for path in sources)))
+        self.assertTrue(used)
+        self.assertEqual(seeds & used, set())
 
     def testKeepTheirNamesWhenTheStudyGrows(self):
         names = lambda out: {line.split()[2] for line in out.splitlines()[:-1]}
