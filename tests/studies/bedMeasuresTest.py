@@ -4,6 +4,7 @@ what a study wants of the cases."""
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -265,6 +266,27 @@ class Die(ACase):
         found = self.measured()
         self.assertAlmostEqual(found["floorPressurePeak"], 12.25)
         self.assertAlmostEqual(found["floorPressureMean"], 1.225*35/4)
+
+    def refused(self, pattern, line, *words):
+        """What `prepare` says of the parameters with another line in the place of one."""
+        path = self.case/"system/caseParameters"
+        text = path.read_text()
+        path.write_text(re.sub(rf"^{pattern} .*$", line, text, flags=re.M))
+        ended = self.ended(self.case/"prepare")
+        path.write_text(text)
+        self.assertEqual(ended.returncode, 1)
+        self.assertNotIn("Traceback", ended.stderr)
+        for word in words:
+            self.assertIn(word, ended.stderr)
+
+    def testCohesionWantsItsNumbers(self):
+        for key, line, found in (("hamaker", "", "no hamaker"), ("hamaker", "hamaker -1;", "hamaker -1"),
+                                 ("asperityRadius", "asperityRadius 0;", "asperityRadius 0"),
+                                 ("contactGap", "contactGap near;", "contactGap near")):
+            self.refused(key, line, f"cohesion off, {found}", f"wanted  {key} of")
+
+    def testAMissingParameterIsTold(self):
+        self.refused("particleDiameter", "", "no particleDiameter   system/caseParameters", "Add it")
 
 
 if __name__ == "__main__":

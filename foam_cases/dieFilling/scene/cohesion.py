@@ -14,6 +14,17 @@ from wrong import refuse, word
 POWERS = {"stress": 2, "weight": 3}
 
 
+def require(p, wish):
+    """What `on` and `auto` reckon with, and `off` warns by."""
+    for key, unit, zero in (("hamaker", "J", True), ("asperityRadius", "m", False), ("contactGap", "m", False)):
+        value = p.get(key)
+        if not isinstance(value, float) or value < 0 or value == 0 and not zero:
+            refuse("Van der Waals forces are reckoned from three numbers.",
+                   f"cohesion {wish}, {f'no {key}' if value is None else f'{key} {value}'}   system/caseParameters",
+                   f"{key} of {'0' if zero else 'more than 0'} {unit}{' or more' if zero else ''}",
+                   f"Give {key} a value; cohesion off wants it too, to warn where grains would stick.")
+
+
 def pull(p):
     """Of a grain [N]."""
     return p["hamaker"]*p["asperityRadius"]/(6*p["contactGap"]**2)
@@ -28,6 +39,7 @@ def derived(p):
     """cohesionModel, off or sjkr2; cohesionEnergyDensity of parcels, wallCohesionEnergyDensity of parcels and walls [Pa]; zero without cohesion."""
     wish = word("cohesion", p["cohesion"], ("auto", "on", "off"))
     word("cohesionScaling", p["cohesionScaling"], ("none", *POWERS))
+    require(p, wish)
     k, bond = p["coarseGraining"], bondNumber(p)
     on = wish == "on" or wish == "auto" and bond > 1
     if not on:

@@ -2,10 +2,24 @@
 """Numbers of flat OpenFOAM dictionaries."""
 import re
 
+from wrong import refuse
+
+
+class Parameters(dict):
+    """A key that is missing is told, and is the end."""
+
+    def __init__(self, where):
+        super().__init__()
+        self.where = where
+
+    def __missing__(self, key):
+        refuse("Each parameter must have a value.", f"no {key}   {self.where}", f"{key} and its value",
+               "Add it, as it stands in the case that this is a copy of.")
+
 
 def read(*paths):
     """Key -> number or word."""
-    values = {}
+    values = Parameters(", ".join(f"{path.parent.name}/{path.name}" for path in paths))
     for path in paths:
         text = re.sub(r"(//|#)[^\n]*", "", path.read_text())
         text = re.sub(r"FoamFile\s*{[^}]*}", "", text)
