@@ -5,6 +5,7 @@ a  Where nothing feeds it, in air alone or between grains at rest, turbulence de
    (S.B. Pope, Turbulent Flows (2000), eq. 10.56-10.57): k = k_0 tau^-n, e = e_0 tau^-(n + 1) with
    tau = 1 + (C_2 - 1) e_0 t/k_0, n = 1/(C_2 - 1), C_2 = 1.92.
 b  Its viscosity 0.09 k^2/e = nu_t0 tau^(1 - n) wears down a wave of shear, too weak to feed it:
+   whether its stresses act on the powder, too, or not (effect viscousForce: another form of the equation):
    exp(-K^2 (nu t + nu_t0 (k_0/e_0)/(C_2 - 1) (tau^(2 - n) - 1)/(2 - n))), with K^2 = (2 sin(pi/N)/dx)^2 of N cells a wave.
 """
 import math
@@ -60,6 +61,7 @@ def verify(bench):
     run = bench.run(Decaying("air alone", slices="x"), impulse=0)
     judgeEnergy(bench, run)
     judgeShear(bench, run)
+    judgeShear(bench, bench.run(Decaying("viscous force on", slices="x", effects="viscousForce on;"), impulse=0))
     edge, cells = 4e-3, (4, 4, 4)
     powder = Powder(6e-4, 2500.0)
     bed = Decaying("between grains", powder, edge, cells, 0, motion="frozen", positions=lattice(Box((edge,)*3, cells), 1))
