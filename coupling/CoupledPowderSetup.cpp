@@ -194,8 +194,7 @@ double CoupledPowder::airNumber() const
 }
 
 // By itself the air is left out if nothing but powder could move it, the powder does not feel it, and no effect of it is
-// wanted. Later it cannot be
-// had back: who would feel it then is told.
+// wanted. Later it cannot be had back: who would feel it then is told.
 void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool driven, const dictionary& effects)
 {
     const double number = airNumber();

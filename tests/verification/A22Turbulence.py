@@ -4,8 +4,8 @@
 a  Where nothing feeds it, in air alone or between grains at rest, turbulence decays as the model has it for uniform k
    (S.B. Pope, Turbulent Flows (2000), eq. 10.56-10.57): k = k_0 tau^-n, e = e_0 tau^-(n + 1) with
    tau = 1 + (C_2 - 1) e_0 t/k_0, n = 1/(C_2 - 1), C_2 = 1.92.
-b  Its viscosity 0.09 k^2/e = nu_t0 tau^(1 - n) wears down a wave of shear, too weak to feed it:
-   whether its stresses act on the powder, too, or not (effect viscousForce: another form of the equation):
+b  Its viscosity 0.09 k^2/e = nu_t0 tau^(1 - n) wears down a wave of shear that is too weak to feed it, in both forms that
+   the momentum equation has (with the effect viscousForce and without):
    exp(-K^2 (nu t + nu_t0 (k_0/e_0)/(C_2 - 1) (tau^(2 - n) - 1)/(2 - n))), with K^2 = (2 sin(pi/N)/dx)^2 of N cells a wave.
 """
 import math
