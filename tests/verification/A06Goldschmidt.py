@@ -15,14 +15,16 @@ not: gas throws it up as one plug, to 250 mm in the mean here and to 195 mm ther
 its fall, and here 8 % of the spheres can end up under the lid, where gas holds them; what is known of the reasons stands in
 the case's README. DPMFoam has spheres of 1e6 Pa, since with 1e8 it takes six hours.
 
-DPMFoam's series is foam_cases/fluidisedBed/dpmFoam.dat, or --reference; without either DPMFoam is run (two hours) on the
-case of Debian's package openfoam-examples. If that is not installed, this test ends with 77: skipped.
+DPMFoam's series is foam_cases/fluidisedBed/dpmFoam.dat, or --reference; without either DPMFoam is run (two hours), beside the last
+two beds, on the case of Debian's package openfoam-examples. If that is not installed, this test ends with 77: skipped.
 """
 import argparse
+import contextlib
 import math
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -107,27 +109,36 @@ class Bed:
         row("mean pressure drop [Pa]", WEIGHT, drop, drop/WEIGHT - 1, DROP)
 
 
-def runDPMFoam(bench, chosen, start):
+@contextlib.contextmanager
+def reference(bench, chosen, start):
+    """Path of DPMFoam's series, and the process that writes it: where there is none, DPMFoam runs from the places in `start`
+    beside what is done in the block."""
+    given = pathlib.Path(chosen.reference or CASE/"dpmFoam.dat")
+    if chosen.reference or given.is_file():
+        yield given, None
+        return
     print("DPMFoam runs now; it takes two hours.", flush=True)
     result = bench.work/"dpmFoam.dat"
-    code = subprocess.run([sys.executable, str(CASE/"dpmFoam"), "-np", str(bench.ranks), "--endTime", str(chosen.endTime),
-                           "--youngsModulus", "1e6", "--deltaT", "1e-4", "--collisionSteps", "6",
-                           "--start", str(start), "--examples", chosen.examples,
-                           "--folder", str(bench.work/"dpmFoam"), "--result", str(result)]).returncode
-    if code:
-        sys.exit(code)
-    return result
+    process = subprocess.Popen(
+        [sys.executable, str(CASE/"dpmFoam"), "-np", str(bench.ranks), "--endTime", str(chosen.endTime),
+         "--youngsModulus", "1e6", "--deltaT", "1e-4", "--collisionSteps", "6",
+         "--start", str(start), "--examples", chosen.examples,
+         "--folder", str(bench.work/"dpmFoam"), "--result", str(result)], start_new_session=True)
+    try:
+        yield result, process
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGTERM)
 
 
-def reference(bench, chosen, start):
-    """(time, height, pressure drop) of DPMFoam; where it has to be run, from the places in `start`."""
-    given = pathlib.Path(chosen.reference or CASE/"dpmFoam.dat")
-    if not chosen.reference and not given.is_file():
-        given = runDPMFoam(bench, chosen, start)
+def seriesOf(given, process, endTime):
+    """(time, height, pressure drop) of DPMFoam; waits until there are all."""
+    if process and process.wait():
+        sys.exit(process.returncode)
     print(given.read_text().splitlines()[0], f"({given})", flush=True)
     series = numbers(given)
-    if series[-1][0] < chosen.endTime - 1e-6:
-        sys.exit(f"The series of DPMFoam must reach the end of the comparison, {chosen.endTime} s; {given} ends "
+    if series[-1][0] < endTime - 1e-6:
+        sys.exit(f"The series of DPMFoam must reach the end of the comparison, {endTime} s; {given} ends "
                  f"at {series[-1][0]} s. Delete it, and DPMFoam runs; or compare with --endTime.")
     return series
 
@@ -145,10 +156,12 @@ def requireReference(chosen):
 def verify(bench, chosen):
     requireReference(chosen)
     start = START*chosen.endTime/END
-    runs = [(tolerance, Bed(bench, name, endTime=chosen.endTime, **changes)) for name, tolerance, changes in (
-        ("hardSwitch", MEAN_HEIGHT, SYMMETRY), ("blend", MEAN_HEIGHT, {**SYMMETRY, "dragLaw": "GidaspowHuilin"}),
-        ("wallsOfTheVessel", math.inf, ALONE))]
-    series = reference(bench, chosen, runs[0][1].folder/"start.dump")
+    bed = lambda name, tolerance, **changes: (tolerance, Bed(bench, name, endTime=chosen.endTime, **changes))
+    runs = [bed("hardSwitch", MEAN_HEIGHT, **SYMMETRY)]
+    with reference(bench, chosen, runs[0][1].folder/"start.dump") as (given, process):
+        runs.append(bed("blend", MEAN_HEIGHT, **SYMMETRY, dragLaw="GidaspowHuilin"))
+        runs.append(bed("wallsOfTheVessel", math.inf, **ALONE))
+        series = seriesOf(given, process, chosen.endTime)
     height = mean([row[:2] for row in series], start)
     drop = mean([row[::2] for row in series], start)
     bench.row("DPMFoam", "mean pressure drop [Pa]", WEIGHT, drop, drop/WEIGHT - 1, math.inf, 0)
