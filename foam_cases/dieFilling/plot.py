@@ -18,7 +18,8 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-sys.path[:0] = [str(case/"plotting"), str(case/"scene")]
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(case/"scene")]
 
 import section
 import uniformity

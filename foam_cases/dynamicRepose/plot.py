@@ -14,8 +14,9 @@ from matplotlib.patches import Circle
 case = Path(__file__).resolve().parent
 root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root/"studies/calibration"))
+sys.path[:0] = [str(root/"studies/calibration"), str(root/"foam_cases/common")]
 
+import parameters
 import scene
 import surfaceLine
 from picture import blue, mm, parcels, plt, red
@@ -39,7 +40,7 @@ def draw(axes, grains, radius):
 
 def main():
     folder = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else case
-    p = scene.parameters(folder)
+    p = parameters.read(folder/"system/caseParameters")
     radius = 0.5*p["drumDiameter"]
     grains = [scene.dump(path) for path in scene.frames(folder, "frame")]
     angles = np.array([-surfaceLine.inDegrees(line(one, radius)[0], 0)[0] for one in grains])

@@ -1,26 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run of this case says of its bed, for plot.py and measure: series in time, and means over it."""
 import math
+import sys
 from pathlib import Path
 
 import numpy as np
 
 case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path.insert(0, str(root/"foam_cases/common"))
+
+import parameters
+
 GRAVITY = 9.81
 INTERVALS = 512  # into which a record is cut for what wants equal ones
 
 
-def parameters(folder):
-    numbers = {}
-    for name in ("caseParameters", "caseDerived"):
-        for line in (folder/"system"/name).read_text().splitlines():
-            words = line.split("//")[0].replace(";", " ").split()
-            if len(words) == 2:
-                try:
-                    numbers[words[0]] = float(words[1])
-                except ValueError:
-                    numbers[words[0]] = words[1]
-    return numbers
+def numbers(folder):
+    """Parameters and what follows from them."""
+    return parameters.read(folder/"system/caseParameters", folder/"system/caseDerived")
 
 
 def heights(folder):

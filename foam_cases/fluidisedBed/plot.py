@@ -32,7 +32,7 @@ def runs():
     found = []
     for folder in (case, case/"variants/blend"):
         if (folder/"postProcessing/bedHeight.dat").is_file():
-            p = bed.parameters(folder)
+            p = bed.numbers(folder)
             found.append((p["dragLaw"], bed.heights(folder), bed.drops(folder, p)))
     if (case/"dpmFoam.dat").is_file():
         table = np.loadtxt(case/"dpmFoam.dat")
@@ -72,7 +72,7 @@ def snapshot(axes, p):
 
 
 def main():
-    p = bed.parameters(case)
+    p = bed.numbers(case)
     expected, start = bed.netWeight(case, p), p["meansFrom"]
     fig = plt.figure(figsize=(10, 5.6), layout="constrained")
     grid = fig.add_gridspec(2, 2, width_ratios=(2.2, 1))

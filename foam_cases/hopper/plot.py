@@ -7,6 +7,7 @@ Reads variants/noAir8, noAir12, noAir16, vacuum, open and closed, and preparatio
 """
 import math
 import re
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -16,7 +17,13 @@ import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle, Rectangle
 
+sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path.insert(0, str(root/"foam_cases/common"))
+
+import parameters
+
 steady = 0.05  # the flow has settled from then on [s]
 spheres, constant = 1.4, 0.58  # k and C of Beverloo's law
 ink, blue, red, green = "#22303c", "#2166ac", "#b2182b", "#1b7837"
@@ -25,18 +32,10 @@ plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": 
                      "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
-def parameters(folder):
-    values = {}
-    for name in ("caseParameters", "caseDerived"):
-        text = re.sub(r"//[^\n]*", "", (folder/"system"/name).read_text())
-        values.update(re.findall(r"^(\w+)\s+([^;{]+?)\s*;", text, re.M))
-    return {k: float(v) if re.match(r"[-\d.]", v) else v for k, v in values.items()}
-
-
 class Run:
     def __init__(self, name):
         self.folder = case/"variants"/name
-        self.p = parameters(self.folder)
+        self.p = parameters.read(self.folder/"system/caseParameters", self.folder/"system/caseDerived")
         rows = np.loadtxt(self.folder/"postProcessing/powderBalance/0/powderBalance.dat")
         self.t, self.mass, self.out = rows[:, 0], rows[:, 1], rows[0, 4] - rows[:, 1]
 

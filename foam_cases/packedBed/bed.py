@@ -8,12 +8,18 @@ little under less load, slowly when they carry hardly any.
 """
 import math
 import re
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path.insert(0, str(root/"foam_cases/common"))
+
+import parameters
+
 GRAVITY = 9.81
 WINDOW = 0.003  # before the end of a step, of means over time [s]
 
@@ -31,7 +37,7 @@ class Step:
 
 class Bed:
     def __init__(self):
-        p = self.p = parameters()
+        p = self.p = parameters.read(case/"system/caseParameters", case/"system/caseDerived")
         self.area = p["area"]
         stops = times()
         height = cells(stops[-1], "Cz")
@@ -59,19 +65,6 @@ class Bed:
         gain = (budget[last, 6] - budget[first, 6])/(self.t[last] - self.t[first])
         mean = np.average(self.drop[steps], weights=np.diff(self.t)[steps - 1])
         return mean, self.weight + (gain - force)/self.area
-
-
-def parameters():
-    numbers = {}
-    for name in ("caseParameters", "caseDerived"):
-        for line in (case/"system"/name).read_text().splitlines():
-            words = line.split("//")[0].replace(";", " ").split()
-            if len(words) == 2:
-                try:
-                    numbers[words[0]] = float(words[1])
-                except ValueError:
-                    pass
-    return numbers
 
 
 def table(name):

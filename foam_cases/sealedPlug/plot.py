@@ -6,6 +6,7 @@ Reads postProcessing/ and the last time, here and in noAir/.
 """
 import math
 import re
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -13,17 +14,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path.insert(0, str(root/"foam_cases/common"))
+
+import parameters
+
 ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
 plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
                      "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
                      "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
-
-
-def parameters():
-    text = re.sub(r"//[^\n]*", "", (case/"system/caseParameters").read_text())
-    values = dict(re.findall(r"^(\w+)\s+([^;{]+?)\s*;", text, re.M))
-    return {k: float(v) if re.match(r"[-\d.]", v) else v for k, v in values.items()}
 
 
 def gidaspowHuilin(alpha, re):
@@ -78,7 +79,7 @@ def response(t, v, end):
 
 
 def main():
-    p = parameters()
+    p = parameters.read(case/"system/caseParameters")
     void = 1 - 8*math.pi/6*(p["coarseGraining"]*p["grainDiameter"]/p["cellSize"])**3
     t, v, mass = speed(p, case)
     probed = np.loadtxt(case/"postProcessing/cavity/0/p")

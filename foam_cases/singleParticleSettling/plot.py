@@ -3,6 +3,7 @@
 """Velocity of the falling grain against the path of the drag law: a table and pictures/velocity.png."""
 import math
 import re
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -10,18 +11,18 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
+root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+sys.path.insert(0, str(root/"foam_cases/common"))
+
+import parameters
+
 allowed = 0.5  # distance from the path [%]
 ink, blue, red = "#22303c", "#2166ac", "#b2182b"
 plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
                      "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
                      "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
-
-
-def parameters():
-    text = re.sub(r"//[^\n]*", "", (case/"system/caseParameters").read_text())
-    values = dict(re.findall(r"^(\w+)\s+([^;{]+?)\s*;", text, re.M))
-    return {k: float(v) if re.match(r"[-\d.]", v) else v for k, v in values.items()}
 
 
 # Drag coefficient times Reynolds number of a lone sphere.
@@ -63,7 +64,7 @@ def path(p, law, times):
 
 
 def main():
-    p = parameters()
+    p = parameters.read(case/"system/caseParameters")
     rows = np.loadtxt(case/"postProcessing/momentumBudget/0/momentumBudget.dat")
     mass = math.pi/6*p["grainDiameter"]**3*p["grainDensity"]
     t, v = rows[:, 0], -rows[:, 6]/mass

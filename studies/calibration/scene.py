@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the scenes of the calibration (heap, drum) have in common: their parameters, what LIGGGHTS is
-told, and what it wrote."""
+"""What the scenes of the calibration (heap, drum) have in common: what LIGGGHTS is told, and what it
+wrote."""
 import re
 import subprocess
 import sys
@@ -8,19 +8,6 @@ import sys
 import numpy as np
 
 COLUMNS = ["id", "type", "x", "y", "z", "vx", "vy", "vz", "radius"]
-
-
-def parameters(case):
-    """Key -> number or word, of system/caseParameters."""
-    text = (case/"system/caseParameters").read_text()
-    text = re.sub(r"FoamFile\s*{[^}]*}", "", re.sub(r"//[^\n]*", "", text))
-    values = {}
-    for key, value in re.findall(r"(\w+)\s+([^;]+?)\s*;", text):
-        try:
-            values[key] = float(value)
-        except ValueError:
-            values[key] = value.strip('"')
-    return values
 
 
 def common(p):

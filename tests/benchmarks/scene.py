@@ -70,7 +70,7 @@ class Scene:
         self.case = importlib.util.module_from_spec(
             importlib.util.spec_from_loader("prepare", loader))
         loader.exec_module(self.case)
-        self.parameters = self.case.parameters()
+        self.parameters = self.case.read()
         derived, self.given = self.case.derived(self.parameters, None)
         self.number = {**self.parameters, **derived}
 

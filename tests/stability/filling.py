@@ -34,7 +34,7 @@ class Filling:
         shutil.copytree(ROOT/"foam_cases/dieFilling", base, ignore=shutil.ignore_patterns(
             "variants", "processor*", "postProcessing", "preparation", "VTK", "log.*", "pictures",
             "polyMesh", "triSurface", "0.*"))
-        for shared in ("liggghts_scripts", "cmake"):
+        for shared in ("liggghts_scripts", "cmake", "foam_cases/common"):
             (work/"tree"/shared).symlink_to(ROOT/shared)
         execute(base, [str(base/"variant"), "coarse", *COARSE, *changes], "log.variant")
         made = cls(base/"variants/coarse", solver)

@@ -40,6 +40,7 @@ class DieFilling(unittest.TestCase):
         (self.work/"liggghts_scripts").mkdir()
         (self.work/"studies").symlink_to(ROOT/"studies")
         self.case.mkdir(parents=True)
+        (self.work/"foam_cases/common").symlink_to(ROOT/"foam_cases/common")
         source = ROOT/"foam_cases/dieFilling"
         for name in ("0", "system", "scene", "constant"):
             shutil.copytree(source/name, self.case/name, ignore=shutil.ignore_patterns(

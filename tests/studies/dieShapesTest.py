@@ -35,7 +35,7 @@ VOLUME = {"stepped": 0.75*L*L*D, "rhombic": MOUTH["rhombic"]*D, "gear": MOUTH["g
 
 
 def numbers(**changes):
-    p = dict(prepare.parameters(), sliceWidth=0, **changes)
+    p = dict(prepare.read(), sliceWidth=0, **changes)
     return p, geometry.rig(p)
 
 
@@ -57,7 +57,7 @@ class TheBody(unittest.TestCase):
             self.assertAlmostEqual(mouth/MOUTH[shape], 1, 9, shape)
 
     def testInASliceHasTheSlicesVolume(self):
-        p = dict(prepare.parameters(), dieShape="stepped", sliceWidth=2e-3)
+        p = dict(prepare.read(), dieShape="stepped", sliceWidth=2e-3)
         d = geometry.rig(p)
         volume, mouth = stl.cavity(dies.body(p, d), d)
         self.assertAlmostEqual(volume/(0.75*L*2e-3*D), 1, 9)
@@ -227,7 +227,7 @@ class Uniformity(unittest.TestCase):
 
     def testOfASliceGoesOnBeyondItsEnds(self):
         """A parcel at one end: half of it lies at the other, and there are no side walls there."""
-        p = dict(prepare.parameters(), sliceWidth=2e-3)
+        p = dict(prepare.read(), sliceWidth=2e-3)
         d = geometry.rig(p)
         fill = uniformity.between({**p, **d, "parcelDiameter": 0.5e-3}, [(4e-3, 1e-3, -3e-3)], ())
         self.assertAlmostEqual(fill.powder.sum()/(math.pi/6*0.5e-3**3), 1, 9)

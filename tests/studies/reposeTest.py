@@ -147,6 +147,7 @@ class TheScenes(unittest.TestCase):
         (self.work/"studies").mkdir()
         shutil.copytree(ROOT/"liggghts_scripts", self.work/"liggghts_scripts")
         shutil.copytree(ROOT/"studies/calibration", self.work/"studies/calibration")
+        shutil.copytree(ROOT/"foam_cases/common", self.work/"foam_cases/common")
 
     def case(self, name):
         source, target = ROOT/"foam_cases"/name, self.work/"foam_cases"/name

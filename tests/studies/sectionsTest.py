@@ -13,7 +13,7 @@ import yaml
 
 from studyFiguresTest import Folder, ROOT, program, row
 
-sys.path.append(str(ROOT/"foam_cases/dieFilling/scene"))
+sys.path += [str(ROOT/"foam_cases/common"), str(ROOT/"foam_cases/dieFilling/scene")]
 
 import geometry
 import runFolder

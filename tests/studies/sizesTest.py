@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True
 from bedStoreTest import DieFilling
 from toyCase import ROOT
 
-sys.path.insert(0, str(ROOT/"foam_cases/dieFilling/scene"))
+sys.path[:0] = [str(ROOT/"foam_cases/common"), str(ROOT/"foam_cases/dieFilling/scene")]
 
 import sizes
 

@@ -22,8 +22,9 @@ class Floors(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         tree = Path(folder.name)
         (tree/"liggghts_scripts").symlink_to(ROOT/"liggghts_scripts")
-        self.case = tree/"die"
-        self.case.mkdir()
+        self.case = tree/"foam_cases/die"
+        self.case.mkdir(parents=True)
+        (tree/"foam_cases/common").symlink_to(ROOT/"foam_cases/common")
         shutil.copy(CASE/"prepare", self.case)
         for name in ("0", "system", "constant", "scene"):
             shutil.copytree(CASE/name, self.case/name, ignore=shutil.ignore_patterns("polyMesh", "triSurface"))
@@ -35,8 +36,8 @@ class Floors(unittest.TestCase):
         loader.exec_module(prepare)
         path = self.case/"system/caseParameters"
         path.write_text(path.read_text() + "".join(f"{k} {v};\n" for k, v in changes.items()))
-        numbers, _ = prepare.derived(prepare.parameters(), None)
-        prepare.writeDerived(numbers)
+        numbers, _ = prepare.derived(prepare.read(), None)
+        prepare.parameters.writeDerived(self.case, numbers, 9)
         return numbers
 
     def openfoam(self, *command):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT/"foam_cases/dieFilling/scene"))
+sys.path[:0] = [str(ROOT/"foam_cases/common"), str(ROOT/"foam_cases/dieFilling/scene")]
 
 import numpy as np
 

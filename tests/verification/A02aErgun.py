@@ -62,7 +62,7 @@ class PackedBed:
         shutil.copytree(ROOT/"foam_cases/packedBed", self.folder, ignore=shutil.ignore_patterns(
             "processor*", "postProcessing", "preparation", "log.*", "pictures", "polyMesh", "0.*",
             "variants", "results"))
-        for shared in ("liggghts_scripts", "cmake"):
+        for shared in ("liggghts_scripts", "cmake", "foam_cases/common"):
             (tree/shared).symlink_to(ROOT/shared)
         self.change(firstSpeed=speeds[0], lastSpeed=speeds[-1], speeds=len(speeds), holdTime=HOLD,
                     **changes)

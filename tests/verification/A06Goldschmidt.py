@@ -74,7 +74,7 @@ class Bed:
             shutil.copytree(CASE, base, ignore=shutil.ignore_patterns(
                 "variants", "results", "processor*", "postProcessing", "VTK", "log.*", "pictures", "polyMesh",
                 "0.*"))
-            for shared in ("liggghts_scripts", "cmake"):
+            for shared in ("liggghts_scripts", "cmake", "foam_cases/common"):
                 (bench.work/"tree"/shared).symlink_to(ROOT/shared)
         start = time.monotonic()
         self.command(base/"variant", name, *(f"{k}={v}" for k, v in changes.items()))

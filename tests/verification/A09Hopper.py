@@ -52,7 +52,7 @@ class Tree:
         shutil.rmtree(bench.work/"tree", ignore_errors=True)
         shutil.copytree(ROOT/"foam_cases/hopper", self.case, ignore=shutil.ignore_patterns(
             "variants", "preparation", "triSurface", "polyMesh", "log.*", "pictures"))
-        for shared in ("liggghts_scripts", "cmake"):
+        for shared in ("liggghts_scripts", "cmake", "foam_cases/common"):
             (bench.work/"tree"/shared).symlink_to(ROOT/shared)
         self.command(self.case/"prepare")
 

@@ -34,7 +34,7 @@ class Slice:
             shutil.copytree(ROOT/"foam_cases/dieFilling", base, ignore=shutil.ignore_patterns(
                 "variants", "processor*", "postProcessing", "preparation", "VTK", "log.*",
                 "pictures", "polyMesh", "triSurface", "0.*"))
-            for shared in ("liggghts_scripts", "cmake"):
+            for shared in ("liggghts_scripts", "cmake", "foam_cases/common"):
                 (bench.work/"tree"/shared).symlink_to(ROOT/shared)
             self.command([base/"prepare"], base)  # variants take the poured bed along
         start = time.monotonic()

@@ -29,6 +29,7 @@ def prepared(bench, name, *changes):
         shutil.copytree(CASE, case, ignore=shutil.ignore_patterns("variants", "results", "processor*", "postProcessing",
                                                                   "preparation", "polyMesh", "0.*", "log.*", "pictures"))
         (tree/"liggghts_scripts").mkdir()  # no script that could pour
+        (tree/"foam_cases/common").symlink_to(ROOT/"foam_cases/common")
     subprocess.run([case/"variant", name, *changes], check=True, stdout=subprocess.DEVNULL)
     done = subprocess.run([case/"variants"/name/"prepare"], capture_output=True, text=True)
     derived = case/"variants"/name/"system/caseDerived"

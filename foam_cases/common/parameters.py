@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of flat OpenFOAM dictionaries."""
+"""Parameters of a case, and what follows from them: flat OpenFOAM dictionaries, read by every script of a case."""
 import re
 
 from wrong import refuse
@@ -29,3 +29,13 @@ def read(*paths):
             except ValueError:
                 values[key] = value.strip('"')
     return values
+
+
+def writeDerived(case, values, digits):
+    """system/caseDerived, which takes the parameters in."""
+    text = lambda v: f"{v:.{digits}g}" if isinstance(v, (int, float)) else v
+    (case/"system/caseDerived").write_text(
+        "// Written by prepare from caseParameters: change that file.\n"
+        "FoamFile { version 2.0; format ascii; class dictionary; object caseDerived; }\n\n"
+        '#include "caseParameters"\n\n'
+        + "".join(f"{key:<19} {text(value)};\n" for key, value in values.items()))
