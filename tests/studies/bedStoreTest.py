@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The die-filling case's store of poured beds, with a LIGGGHTS that only pretends to pour; and what
-its `measure` reads."""
+"""The store of poured beds, with a LIGGGHTS that only pretends to pour; and what the die-filling case's `measure` reads."""
 import json
 import os
 import shutil
@@ -132,6 +131,38 @@ class TheBedStore(DieFilling):
         self.prepared(self.variant("v2"), store=False)
         self.assertEqual(self.pouredBeds(), 2)
         self.assertFalse(self.store.exists())
+
+
+class OtherCases(unittest.TestCase):
+    def testKeepTheirBedsThereToo(self):
+        with tempfile.TemporaryDirectory() as folder:
+            work = Path(folder)
+            (work/"foam_cases").mkdir()
+            for shared in ("foam_cases/common", "liggghts_scripts"):
+                (work/shared).symlink_to(ROOT/shared)
+            program = work/"liggghts"
+            program.write_text(f"""#!/bin/bash
+echo "$*" | tr ' ' '\\n' | grep -A1 -x seed >> {work}/poured
+case=$(echo "$*" | sed 's/.*-var case \\([^ ]*\\).*/\\1/')
+echo bed > "$case/preparation/bed.restart"; echo bed > "$case/preparation/bed.dump"
+""")
+            program.chmod(0o755)
+            for name, fluid in (("hopper", "airDensity=2"), ("packedBed", "fluidDensity=20")):
+                self.pours(work, name, fluid)
+
+    def pours(self, work, name, fluid):
+        """Three variants, two of which differ in the fluid only."""
+        case = work/"foam_cases"/name
+        shutil.copytree(ROOT/"foam_cases"/name, case, ignore=shutil.ignore_patterns("variants", "results", "preparation"))
+        (work/"poured").write_text("")
+        environment = {**os.environ, "PATH": f"{work}:{os.environ['PATH']}", "INTERSTICE_BED_STORE": str(work/name)}
+        for variant, change in (("first", fluid.replace("2", "3")), ("second", fluid), ("third", "seed=49979687")):
+            subprocess.run([case/"variant", variant, change], check=True, capture_output=True)
+            done = subprocess.run([case/"variants"/variant/"prepare"], env=environment, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual("by another run" in done.stdout, variant == "second")
+            self.assertTrue((case/"variants"/variant/"preparation/bed.restart").is_file())
+        self.assertEqual((work/"poured").read_text().split(), ["seed", "32452843", "seed", "49979687"])
 
 
 class Measure(DieFilling):

@@ -1,20 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The poured bed, and the completely filled die to which a filling ratio refers.
-
-Pouring is skipped if the folder preparation/ was made with the same parameters. If INTERSTICE_BED_STORE
-names a folder, beds are kept there for other runs, also those at the same time: each is poured once.
-"""
-import contextlib
-import fcntl
-import hashlib
-import os
+"""The poured bed, and the completely filled die to which a filling ratio refers."""
 import re
-import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
+
+import madeOnce
 
 # The bed depends on these, and on the walls; not on the air or the shoe's speed.
 POURING = """particleDiameter particleDensity coarseGraining powderHeight bed seed youngsModulus
@@ -40,36 +32,7 @@ class Bed:
             self.key += (case/f"constant/triSurface/{name}.stl").read_text()
 
     def make(self):
-        self.folder.mkdir(exist_ok=True)
-        stamp = self.folder/"madeWith"
-        if stamp.is_file() and stamp.read_text() == self.key:
-            print("bed: poured before, with the same parameters")
-            return
-        stamp.unlink(missing_ok=True)
-        with self.stored() as bed:
-            if bed and bed.is_dir():
-                copy(bed, self.folder)
-                print("bed: poured before by another run, with the same parameters")
-                return
-            self.pourAll()
-            stamp.write_text(self.key)
-            if bed:
-                part = Path(f"{bed}.part")
-                copy(self.folder, part)
-                part.rename(bed)  # so that what has this name is whole
-
-    @contextlib.contextmanager
-    def stored(self):
-        """Where the store keeps the bed, if there is a store; no other run pours it meanwhile."""
-        store = os.environ.get("INTERSTICE_BED_STORE")
-        if not store:
-            yield None
-            return
-        bed = Path(store)/hashlib.sha256(self.key.encode()).hexdigest()
-        bed.parent.mkdir(parents=True, exist_ok=True)
-        with open(f"{bed}.lock", "w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            yield bed
+        madeOnce.bed(self.folder, self.key, ("bed.restart", "fullMass"), self.pourAll)
 
     def pourAll(self):
         values = self.values
@@ -102,13 +65,6 @@ class Bed:
             command += ["-var", key, f"{value:.12g}" if isinstance(value, float) else str(value)]
         with open(f"{log}.screen", "w") as screen:
             return subprocess.Popen(command, stdout=screen, stderr=screen), result
-
-
-def copy(bed, folder):
-    """All that a run needs; the stamp last, as it says that the rest is there."""
-    folder.mkdir(exist_ok=True)
-    for name in ("bed.restart", "fullMass", "madeWith"):
-        shutil.copy(bed/name, folder)
 
 
 def massBelow(path, top):
