@@ -89,10 +89,20 @@ def summarised(plan, results):
         reference = variant["reference"]
         if reference is not None:
             variant["differences"] = {
-                key: (None, "") if reference == number else
-                difference(variant["means"][key], variants[reference]["means"][key])
+                key: (None, "", None) if reference == number else
+                (*difference(variant["means"][key], variants[reference]["means"][key]),
+                 pairedError(plan, results, key, number, reference))
                 for key in plan["measures"]}
     return variants
+
+
+def pairedError(plan, results, key, number, reference):
+    """Standard error of the mean difference between runs of the same packing, or None: less than the combined errors if
+    two runs that start from one bed stay alike."""
+    own, other = ({run["packing"]: result["measures"].get(key) for run, result in zip(plan["runs"], results)
+                   if run["variant"] == one and result["status"] == "ok"} for one in (number, reference))
+    return meanAndError([own[packing] - other[packing] for packing in own
+                         if None not in (own[packing], other.get(packing))])[1]
 
 
 def state(own, good):
@@ -120,7 +130,7 @@ def flat(plan, variant):
     for key in plan["measures"]:
         row[key], row[f"{key}.error"] = variant["means"][key]
         if "differences" in variant:
-            row[f"{key}.difference"], row[f"{key}.resolved"] = variant["differences"][key]
+            row[f"{key}.difference"], row[f"{key}.resolved"], row[f"{key}.pairedError"] = variant["differences"][key]
     row["seconds"] = variant["seconds"]
     return row
 
@@ -151,5 +161,5 @@ def withError(variant, key, about):
         return ""
     scale = shownAs.scale(about)
     words = f"{scale*mean:.4g}" + ("" if error is None else f" ± {scale*error:.2g}")
-    resolved = variant.get("differences", {}).get(key, (None, ""))[1] == "yes"
+    resolved = variant.get("differences", {}).get(key, (None, "", None))[1] == "yes"
     return f"**{words}**" if resolved else words

@@ -16,6 +16,7 @@ from toyCase import ROOT, STUDY, ToyCase
 sys.path.insert(0, str(ROOT/"studies/engine"))
 
 import oneRun
+import tables
 
 
 class Failures(ToyCase):
@@ -81,12 +82,24 @@ class Tables(ToyCase):
         self.assertAlmostEqual(float(far["fillingRatio.difference"]), 0.017, 9)
         self.assertEqual([row["fillingRatio.resolved"] for row in self.rows()], ["", "no", "yes"])
         self.assertEqual(first["fillingRatio.difference"], "")
+        self.assertEqual(first["fillingRatio.pairedError"], "")
+        self.assertAlmostEqual(float(far["fillingRatio.pairedError"]), 0, 12)  # the same scatter in both
         self.haveARowForEachRun()
         text = (self.results/"study/table.md").read_text()
         self.assertIn("| shoeSpeed v [m/s] | status | packings | fillingRatio δ [%] |", text)
         self.assertIn("| 0.117 | ok | 3 | **13.7 ± 0.58** | 30 ± 0 |", text)
         self.assertEqual(len(list((self.case/"variants").iterdir())), 9)  # keep
         self.areOfWhatThereIs()
+
+    def testTellTheErrorOfADifferenceFromPairs(self):
+        """Three beds, of which the second failed with one speed: 0.1 and 0.4 more, by which they scatter by 0.3/sqrt(2)."""
+        runs = [{"variant": variant, "packing": packing} for variant in (0, 1) for packing in (1, 2, 3)]
+        results = [{"status": "ok" if value else "failed", "seconds": 1, "measures": {"m": value}}
+                   for value in (5.0, 7.0, 9.0, 5.1, None, 9.4)]
+        plan = {"runs": runs, "variants": [{"reference": 0}, {"reference": 0}], "measures": ["m"]}
+        first, second = tables.summarised(plan, results)
+        self.assertEqual(first["differences"]["m"], (None, "", None))
+        self.assertAlmostEqual(second["differences"]["m"][2], 0.15)
 
     def haveARowForEachRun(self):
         rows = self.rows("runs.csv")
