@@ -120,7 +120,7 @@ private:
     std::optional<Checkpoint> checkpoint() const;
     void resume(const Checkpoint& before);
     Checkpoint record() const;
-    void chooseAir(const std::optional<AirCoupling>& wish, bool driven, const Foam::dictionary& effects);
+    void chooseAir(const std::optional<AirCoupling>& wish, bool driven, bool wanted);
     double airNumber() const;
     void readSolids(const Foam::dictionary& dict);
     void checkScene() const;

@@ -58,15 +58,14 @@ std::unique_ptr<DragLaw> dragLaw(const dictionary& dict)
     return makeDragLaw(law, options, p.where("law"));
 }
 
-void requireAirForEffects(const std::optional<AirCoupling>& wish, const Parameters& p)
+// `effect` of the air is wished on; empty: none is.
+void requireAir(const word& effect, const std::optional<AirCoupling>& wish, const Parameters& p)
 {
-    const dictionary& effects = p.sub("effects");
-    const word key = ParcelForces::wantedOfTheAir(effects);
-    if (wish == AirCoupling::none && !key.empty())
+    if (wish == AirCoupling::none && !effect.empty())
     {
-        throw InputError({"An effect of the air wants air.", "air " + std::string(nameOf(*wish)) + ", " + key + " on",
-            key + " off or auto, or air twoWay, oneWay or auto", p.where("air") + "; " + Parameters(effects).where(key),
-            "Leave one of the two out."});
+        throw InputError({"An effect of the air wants air.", "air " + std::string(nameOf(*wish)) + ", " + effect + " on",
+            effect + " off or auto, or air twoWay, oneWay or auto",
+            p.where("air") + "; " + Parameters(p.sub("effects")).where(effect), "Leave one of the two out."});
     }
 }
 
@@ -84,7 +83,8 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
     const IOdictionary dict(couplingProperties(mesh));
     const Parameters p(dict);
     const std::optional<AirCoupling> wish = airCoupling(p.name("air", "auto"), p.where("air"));
-    requireAirForEffects(wish, p);
+    const word effectOfTheAir = ParcelForces::wantedOfTheAir(p.sub("effects"));
+    requireAir(effectOfTheAir, wish, p);
     const dictionary& powder = p.group("powder");
     coarseGraining_ = Parameters(powder).number(
         "coarseGraining", "", Parameters::Range::positive, 1);
@@ -101,7 +101,7 @@ CoupledPowder::CoupledPowder(fvMesh& mesh, const AirAtStart& air, StageClock& cl
         StageClock::Scope timed(clock_, Stage::dem);
         openDem(powder, before ? &*before : nullptr);
     }
-    chooseAir(wish, air.driven, p.sub("effects"));
+    chooseAir(wish, air.driven, !effectOfTheAir.empty());
     readSolids(p.sub("solids"));
     forces_ = std::make_unique<ParcelForces>(
         Scene{mesh, *dem_, coarseGraining_, Parameters(powder).where("coarseGraining"), solidWalls_},
@@ -195,12 +195,11 @@ double CoupledPowder::airNumber() const
 
 // By itself the air is left out if nothing but powder could move it, the powder does not feel it, and no effect of it is
 // wanted. Later it cannot be had back: who would feel it then is told.
-void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool driven, const dictionary& effects)
+void CoupledPowder::chooseAir(const std::optional<AirCoupling>& wish, bool driven, bool wanted)
 {
     const double number = airNumber();
     Effect effect{"air", "1.91e7 over zeta, the sensitivity to air", 1};
     const bool felt = number > effect.limit;
-    const bool wanted = !ParcelForces::wantedOfTheAir(effects).empty();
     air_ = wish ? *wish : felt || driven || wanted ? AirCoupling::twoWay : AirCoupling::none;
     effect.wish = hasAir() ? wish ? Effect::Wish::on : Effect::Wish::automatic : Effect::Wish::off;
     effect.on = hasAir();

@@ -18,6 +18,9 @@ using namespace Foam;
 namespace
 {
 
+const char* const rollingFriction = "rollingFriction";
+const char* const cohesion = "cohesion";
+
 constexpr double largestBuoyancyShare = 0.01;
 constexpr double largestPressureForceShare = 0.01;
 
@@ -66,6 +69,11 @@ CaseEffects::CaseEffects(const Scene& scene, const Parameters& keys, EffectTable
     addOfThePowder(keys);
 }
 
+bool CaseEffects::ofContacts(const word& key)
+{
+    return key == rollingFriction || key == cohesion;
+}
+
 void CaseEffects::addOfTheAir(const Scene& scene, const Parameters& keys)
 {
     const IOdictionary transport(constantFile(scene.mesh, "transportProperties"));
@@ -98,9 +106,9 @@ void CaseEffects::addOfThePowder(const Parameters& keys)
     walls.wish = Effect::Wish::off; // of any other wall than those that are seen
     addChosen(walls, !seen_.empty(), "case", keys, "the group solids", [this](AirMotion& air)
         { return stokesDragShare(fastestUnseen(), smallestGrain(), air.largestViscosity(), weight(), 1); });
-    addChosen({"rollingFriction", "coefficient, largest", 0}, dem_.hasRollingFriction(), "script", keys,
+    addChosen({rollingFriction, "coefficient, largest", 0}, dem_.hasRollingFriction(), "script", keys,
         "the contact model of the LIGGGHTS script", [this](AirMotion&) { return largestRollingFriction(dem_); });
-    addChosen({"cohesion", "Bond number of asperities of 0.1 um, A = 1e-19 J", largestBondNumber}, dem_.hasCohesion(),
+    addChosen({cohesion, "Bond number of asperities of 0.1 um, A = 1e-19 J", largestBondNumber}, dem_.hasCohesion(),
         "script", keys, "the contact model of the LIGGGHTS script", [this](AirMotion&)
         { return bondNumber(usualHamaker, usualAsperity, usualGap, smallestGrain(), weight(), 1); });
 }

@@ -50,6 +50,9 @@ public:
     /// Local.
     CaseEffects(const Scene& scene, const Parameters& keys, EffectTable& table);
 
+    /// Whether the effect is one between particles, which wants no air. Local.
+    static bool ofContacts(const Foam::word& key);
+
     /// Collective. The numbers as they are now.
     void look(AirMotion& air, double time);
 

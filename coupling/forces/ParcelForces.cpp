@@ -94,8 +94,7 @@ word ParcelForces::wantedOfTheAir(const dictionary& effects)
     const Parameters p(effects);
     for (const word& key : effects.sortedToc())
     {
-        const bool contact = key == "rollingFriction" || key == "cohesion";
-        if (!contact && EffectTable::wish(p.name(key, "auto"), p.where(key)) == Effect::Wish::on)
+        if (!CaseEffects::ofContacts(key) && EffectTable::wish(p.name(key, "auto"), p.where(key)) == Effect::Wish::on)
         {
             return key;
         }
