@@ -42,12 +42,16 @@ class Figure:
     png: bytes
 
 
-def report(tests, solverBuilt, figures):
+def report(tests, solverBuilt, figures, curves):
     yield Heading(1, "Verification of Interstice")
     yield from summary(tests, solverBuilt)
     yield from missed(tests)
     yield Heading(2, "Margins")
     yield from figures
+    if curves:
+        yield Heading(2, "Against theory")
+        yield Text("Lines: theory; dots: measured. The numbers that are judged stand below, under the names of the tests.")
+        yield from curves
     yield from distances(tests)
     yield Heading(2, "Every number")
     yield Text("The error is relative to the number that is expected, or a difference where that "

@@ -18,6 +18,7 @@ from swarm import swarm
 MET = dict(case="plug", quantity="end speed [m/s]", expected=2.0, measured=2.01, error=0.005,
            tolerance=0.01, ranks=1, seconds=1.5, good=True)
 MISSED = dict(MET, measured=2.06, error=0.03, good=False)
+CURVE = dict(title="falling", x="t [s]", y="v [m/s]", log=False, theory=[[0, 0], [1, 2.0]], measured=[[0.5, 1.01]])
 SHOWN = dict(MET, case="coarse", measured=2.2, error=0.1, tolerance=None)
 
 
@@ -51,10 +52,10 @@ class MadeUp(unittest.TestCase):
     def work(self, name):
         return self.build/"tests"/name
 
-    def left(self, ranks, *some):
+    def left(self, ranks, *some, curves=()):
         folder = self.work(f"verification.Plug.np{ranks}")
         folder.mkdir(parents=True, exist_ok=True)
-        content = {"test": "Plug", "rows": [{**row, "ranks": ranks} for row in some]}
+        content = {"test": "Plug", "rows": [{**row, "ranks": ranks} for row in some], "curves": list(curves)}
         (folder/"results.json").write_text(json.dumps(content))
         return folder/"results.json"
 
@@ -136,6 +137,16 @@ class TheReport(MadeUp):
             self.assertTrue((self.out/name).is_file())
         self.assertNotIn(str(self.build.parent), text + page)
 
+    def testDrawsTheCurvesOfATestOnce(self):
+        self.left(1, MET)
+        self.left(2, MET, curves=[CURVE, dict(CURVE, log=True, theory=[[1, 1], [2, 4]], measured=[[1, 1], [2, 5]])])
+        code, error, text, page = self.report()
+        self.assertEqual((code, error), (0, ""))
+        theory = text.partition("## Against theory")[2].partition("## Distances")[0]
+        self.assertEqual(theory.count("](Plug.png)"), 1)
+        self.assertIn("**Plug**: A plug falls.", theory)
+        self.assertTrue((self.out/"Plug.png").read_bytes().startswith(b"\x89PNG"))
+
     def testTellsThatTheSolverIsYounger(self):
         path = self.left(1, MET)
         self.left(2, MET)
@@ -192,6 +203,11 @@ class BadInput(MadeUp):
                 del content["rows"][1][key]
                 path.write_text(json.dumps(content))
                 self.refused(f"'{key}'", "row 2 of tests/verification.Plug.np1/results.json")
+
+    def testBrokenCurves(self):
+        for change in ({"theory": 5}, {"measured": [[1]]}, {"measured": [[1, "fast"]]}, {"log": 1}):
+            self.left(1, MET, curves=[CURVE, {**CURVE, **change}])
+            self.refused("curve 2 of tests/verification.Plug.np1/results.json", "run its test again")
 
     def testMissingRows(self):
         for content in ('{"test": "Plug"}', '[]', '5', '{"test": "Plug", "rows": [5]}'):

@@ -73,6 +73,18 @@ class Row:
         return "shown" if self.kind == "shown" else "met"
 
 
+@dataclass(frozen=True)
+class Curve:
+    """Points (x, y) of a theory and of what was measured."""
+    title: str
+    x: str  # on the axes
+    y: str
+    log: bool
+    theory: list
+    measured: list
+
+
+CURVE = {"title": str, "x": str, "y": str, "log": bool, "theory": list, "measured": list}
 NUMBERS = ("expected", "measured", "error", "seconds")
 TYPES = {"case": str, "quantity": str, "ranks": int, "good": bool,
          **dict.fromkeys(NUMBERS, (int, float)), "tolerance": (int, float, type(None))}
@@ -85,6 +97,7 @@ class Run:
     script: Path
     folder: Path
     rows: list = field(default_factory=list)
+    curves: list = field(default_factory=list)
     made: float = None  # when, seconds since 1970; None: no result
 
     @property
@@ -117,6 +130,11 @@ class Test:
     @property
     def rows(self):
         return [row for run in self.runs for row in run.rows]
+
+    @property
+    def curves(self):
+        """Alike on any ranks: of the first run that has some."""
+        return next((run.curves for run in self.runs if run.curves), [])
 
     @property
     def missing(self):
@@ -157,7 +175,7 @@ def read(build):
     for run in runs:
         path = run.folder/"results.json"
         if path.is_file():
-            run.rows = rowsOf(path, path.relative_to(build) if build in path.parents else path)
+            run.rows, run.curves = contentOf(path, path.relative_to(build) if build in path.parents else path)
             run.made = path.stat().st_mtime if run.rows else None
     if all(run.made is None for run in runs):
         raise BadInput(f"No test of {build} has left a result: {MAKE}.")
@@ -211,7 +229,8 @@ def docstring(script):
     return ast.get_docstring(ast.parse(script.read_text())) or "" if script.is_file() else ""
 
 
-def rowsOf(path, name):
+def contentOf(path, name):
+    """Rows and curves of a results.json."""
     try:
         content = json.loads(path.read_text())
     except ValueError as reason:
@@ -221,7 +240,16 @@ def rowsOf(path, name):
     for number, row in enumerate(content["rows"], 1):
         for key, kind in TYPES.items():
             require(row, key, kind, f"row {number} of {name}")
-    return [Row(**{key: row[key] for key in TYPES}) for row in content["rows"]]
+    curves = content.get("curves", [])
+    for number, curve in enumerate(curves, 1):
+        for key, kind in CURVE.items():
+            require(curve, key, kind, f"curve {number} of {name}")
+        for point in curve["theory"] + curve["measured"]:
+            if not isinstance(point, list) or len(point) != 2 or not all(isinstance(x, (int, float)) for x in point):
+                raise BadInput(f"A point of curve {number} of {name} is {point!r} and must be two numbers: "
+                               f"run its test again, {MAKE}.")
+    return ([Row(**{key: row[key] for key in TYPES}) for row in content["rows"]],
+            [Curve(**{key: curve[key] for key in CURVE}) for curve in curves])
 
 
 def require(content, key, kind, where):

@@ -103,6 +103,7 @@ def judgeBounce(bench):
     off = [v - at(expected, t) for t, v in measured]
     bench.equal(run, "speed, rms of the difference, of impact", 0,
                 math.sqrt(sum(x*x for x in off)/len(off))/IMPACT, PATH)
+    bench.curve("plug on a closed cavity", "t [s]", "falling at [m/s]", expected[::max(1, len(expected)//200)], measured[::20])
     found = period(measured, end)
     bench.near(run, "period [s]", period(expected, end), found, PERIOD)
     bench.near(run, "period of the oscillator [s]",

@@ -55,6 +55,10 @@ def fall(bench, case, table, tolerance):
         assert abs(-exact[time][1] - expected) < 1e-5
         bench.near(run, f"velocity at {time:g} s [m/s]", -exact[time][1], velocity(run, time),
                    tolerance)
+    points = run.budget()[::max(1, len(run.budget())//25)]
+    path = case.powder.fall([t for t, *_ in points], upward=case.U[2], steps=400)
+    bench.curve(case.name, "t [s]", "falling at [m/s]", [(0, 0), *((t, -v) for t, (_, v) in path.items())],
+                [(t, velocity(run, t)) for t, *_ in points])
     return run
 
 

@@ -49,7 +49,7 @@ def drops(bench, case, voidFraction):
 
 
 def verify(bench):
-    whole = {}
+    whole, gradients = {}, []
     for voidFraction in (0.40, 0.45, 0.60, 0.79, 0.81):
         for steps in (0.02, 2):
             if bench.ranks > 1 and (voidFraction not in (0.40, 0.81) or steps == 2):
@@ -60,6 +60,9 @@ def verify(bench):
             bench.near(run, "pressure drop inside [Pa]", expected, inside, EXACT)
             bench.near(run, "pressure drop over the bed [Pa]", mapped, across, OVER_SURFACES)
             whole[name] = across
+            gradients.append((voidFraction, inside/case.box.cell[2]/(INSIDE[1] - INSIDE[0])))
+    bench.curve("frozen beds", "void fraction", "pressure drop [Pa/m]", [
+        (alpha, case.powder.slope(alpha, SPEED)) for alpha in (0.38 + 0.005*i for i in range(90))], gradients)
 
     along = bed("bed 40 %, cut along flow", 0.40, 2, 0.02, cut="x")
     run, inside, expected, across, mapped = drops(bench, along, 0.40)

@@ -151,6 +151,10 @@ def hopper(bench):
     bench.equal(runs[-1], "C of all", C[0], math.prod(constants)**(1/len(runs)), C[1])
     fit = slope([(math.log(run.orifice - K_BEVERLOO*d), math.log(run.rate())) for run in runs])
     bench.equal(runs[-1], "exponent of D - 1.4 d", EXPONENT[0], fit, EXPONENT[1])
+    free = [1e-3*i for i in range(6, 16)]
+    bench.curve("hopper, 1 mm glass", "D - 1.4 d [m]", "discharge [kg/s]",
+                [(x, C[0]*density*math.sqrt(GRAVITY)*x**2.5) for x in free],
+                [(run.orifice - K_BEVERLOO*d, run.rate()) for run in runs], log=True)
     low = Discharge(tree, ORIFICES[0], parcels=len(spheres)//2)
     low.judge(bench, density, width)
     bench.near(low, "discharge, as of the high bed [kg/s]", runs[0].rate(), low.rate(), LOW)

@@ -212,6 +212,9 @@ def orders(bench, regime, grids, **options):
         bench.atMost(run, "void fraction off the chosen one", 1e-12, found[-1][2])
         bench.equal(run, "error of U, L2, of U", 0, found[-1][0], math.inf)
         bench.equal(run, "error of p, L2, of p", 0, found[-1][1], math.inf)
+    for word, which in (("U", 0), ("p", 1)) if not options else ():
+        bench.curve(f"{name}, {word}", "cells along an edge", "error, L2 (line: order 2)", [
+            (n, found[-1][which]*(grids[-1]/n)**2) for n in grids], [(n, one[which]) for n, one in zip(grids, found)], log=True)
     finer = math.log(grids[-1]/grids[-2])
     return [math.log(a/b)/finer for a, b in zip(found[-2], found[-1])][:2], run
 

@@ -77,6 +77,9 @@ def judge(bench, case, speedTolerance, expected=None):
     bench.near(run, "pressure below the plug [Pa]", mass(case)*GRAVITY/area,
                run.pressureLayers()[0], SHARP)
     bench.near(run, "response time [s]", expected/GRAVITY, relaxation(run, expected), RELAXATION)
+    path = fall(run)
+    bench.curve(case.name, "t [s]", "falling at [m/s]", [
+        (t, -expected*math.expm1(-t*GRAVITY/expected)) for t in (path[-1][0]*i/60 for i in range(61))], path[::2])
     return run
 
 

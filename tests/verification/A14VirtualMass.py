@@ -72,6 +72,8 @@ def judgeRise(bench):
         time, _, grain, _ = run.budget()[round(share*40) - 1]
         bench.near(run, f"velocity at {time/response(LIGHT):.1f} T [m/s]",
                    final*-math.expm1(-time/response(LIGHT)), grain[2]/mass(LIGHT), CLOSE)
+    rise = [(time/response(LIGHT), grain[2]/mass(LIGHT)/final) for time, _, grain, _ in run.budget()]
+    bench.curve("light sphere in water", "t/T", "velocity, of the last", [(x/20, -math.expm1(-x/20)) for x in range(41)], rise)
 
 
 def judgePush(bench):

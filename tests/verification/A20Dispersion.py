@@ -71,12 +71,9 @@ def ends(case):
     return {"recordEvery": round(case["endTime"]/case["deltaT"])*case.get("subSteps", 1)}
 
 
-def moves(run):
-    """Displacements of all grains in a periodic box, by the nearest image."""
-    record = run.record()
-    first, last = record[min(record)], record[max(record)]
-    size = run.case.box.size
-    return [[(b - a + 0.5*edge) % edge - 0.5*edge for a, b, edge in zip(first[i][0], last[i][0], size)] for i in first]
+def moves(first, last, box):
+    """Displacements of all grains in a periodic box, by the nearest image, along each axis."""
+    return [(b - a + 0.5*edge) % edge - 0.5*edge for i in first for a, b, edge in zip(first[i][0], last[i][0], box.size)]
 
 
 def meanSquare(values):
@@ -85,13 +82,14 @@ def meanSquare(values):
 
 def judgeSpread(bench):
     rms, memory, end = 0.1, 0.01, 0.05
-    expected = 2*rms**2*memory*(end - memory*(1 - math.exp(-end/memory)))
+    expected = lambda t: 2*rms**2*memory*(t - memory*(1 - math.exp(-t/memory)))
     for name, deltaT in (("short steps", 1e-3), ("long steps", 2.5e-2)):
-        times = {"deltaT": deltaT, "endTime": end}
-        run = bench.run(still(name, cube(0.1), Powder(2e-6, 1000.0, law=stokes), rms, memory, **times, **ends(times)),
-                        impulse=math.inf)
-        bench.near(run, "mean square of the moves [m2]", expected, meanSquare([x for move in moves(run) for x in move]),
-                   SCATTER)
+        run = bench.run(still(name, cube(0.1), Powder(2e-6, 1000.0, law=stokes), rms, memory, deltaT=deltaT, endTime=end,
+                              recordEvery=max(1, round(2.5e-3/deltaT))), impulse=math.inf)
+        record = run.record()
+        found = [(t, meanSquare(moves(record[min(record)], grains, run.case.box))) for t, grains in record.items()]
+        bench.near(run, "mean square of the moves [m2]", expected(end), found[-1][1], SCATTER)
+        bench.curve(name, "t [s]", "mean square of the moves [m2]", [(x*end/60, expected(x*end/60)) for x in range(61)], found)
 
 
 def judgeFall(bench):

@@ -41,6 +41,13 @@ class Decaying(turbulent.Turbulent):
                                       for i in range(nx)]*(ny*nz))
 
 
+def course(bench, run):
+    """k in time."""
+    first = 1.5*RMS**2
+    bench.curve(run.case.name, "t e_0/k_0", "k/k_0", [(x/50, (1 + (C2 - 1)*x/50)**-N) for x in range(51)],
+                [(0, 1), *((float(t)/LASTS, max(run.field("k", t))/first) for t in run.times())])
+
+
 def judgeEnergy(bench, run):
     tau = C2  # after k_0/e_0
     for name, first, power in (("k", 1.5*RMS**2, N), ("epsilon", 1.5*RMS**2/LASTS, N + 1)):
@@ -58,8 +65,9 @@ def judgeShear(bench, run):
 
 
 def verify(bench):
-    run = bench.run(Decaying("air alone", slices="x"), impulse=0)
+    run = bench.run(Decaying("air alone", slices="x", writeInterval=LASTS/10), impulse=0)
     judgeEnergy(bench, run)
+    course(bench, run)
     judgeShear(bench, run)
     judgeShear(bench, bench.run(Decaying("viscous force on", slices="x", effects="viscousForce on;"), impulse=0))
     edge, cells = 4e-3, (4, 4, 4)

@@ -19,6 +19,7 @@ class Bench:
         self.work = pathlib.Path(work).resolve()
         self.ranks = ranks
         self.rows = []
+        self.curves = []
         self.quiet = False
         # A run that breaks off must not leave the results of an earlier one.
         (self.work/"results.json").unlink(missing_ok=True)
@@ -104,10 +105,15 @@ class Bench:
               f"{'shown' if math.isinf(tolerance) else format(tolerance, '9.1e'):>9s} "
               f"{self.ranks:5d} {seconds:6.1f} {'' if good else '  <-- FAILED'}", flush=True)
 
+    def curve(self, title, x, y, theory, measured, log=False):
+        """For the report: the line of a theory and the points that were measured, [(x, y), ...]. `x`, `y`: words for the
+        axes. Nothing is judged."""
+        self.curves.append({"title": title, "x": x, "y": y, "log": log, "theory": list(theory), "measured": list(measured)})
+
     def end(self):
         self.work.mkdir(parents=True, exist_ok=True)
         (self.work/"results.json").write_text(
-            json.dumps({"test": self.name, "rows": self.rows}, indent=1) + "\n")
+            json.dumps({"test": self.name, "rows": self.rows, "curves": self.curves}, indent=1) + "\n")
         bad = [row for row in self.rows if not row["good"]]
         if not self.rows:
             sys.exit("nothing was verified")
