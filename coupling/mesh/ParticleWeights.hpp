@@ -7,6 +7,7 @@
 #include "pointField.H"
 #include "volFields.H"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -61,11 +62,21 @@ private:
     {
         Foam::vector centre;
         Foam::vector perWidth; // 1/m
+
+        double at(const Foam::point& x, const PeriodicBox& box) const;
     };
+
+    void gather();
+    bool reaches(const Hat& hat, const Hat& from, int eighth) const;
+    int eighthOf(const Foam::point& x, Foam::label cell) const;
+    template<class Visit>
+    void forCellsAt(const Foam::point& x, Foam::label cell, const Visit& visit) const;
 
     const CellHalo& halo_;
     const PeriodicBox& box_;
     std::vector<Hat> hats_; // own cells and ghosts
+    std::vector<std::uint16_t> reaching_; // places in a cell's neighbourhood, see gather
+    std::vector<int> begins_; // of these, by own cell and eighth
 };
 
 /// All of a particle in the cell that holds its centre. For comparison only: the void fraction

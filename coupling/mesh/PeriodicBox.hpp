@@ -29,17 +29,17 @@ public:
         return point;
     }
 
-    /// The shortest image of a distance [m].
-    Foam::vector nearest(Foam::vector distance) const
+    /// The shortest image of a distance [m] along axis d.
+    double nearest(double distance, int d) const
     {
-        for (int d = 0; d < 3; ++d)
-        {
-            if (period_[d] > 0)
-            {
-                distance[d] -= period_[d]*std::round(distance[d]/period_[d]);
-            }
-        }
-        return distance;
+        const bool far = period_[d] > 0 && std::abs(distance) > 0.5*period_[d];
+        return far ? distance - period_[d]*std::round(distance/period_[d]) : distance;
+    }
+
+    /// The same of each of its components.
+    Foam::vector nearest(const Foam::vector& distance) const
+    {
+        return {nearest(distance.x(), 0), nearest(distance.y(), 1), nearest(distance.z(), 2)};
     }
 
     /// Length of one period along each axis [m]; zero: not periodic.

@@ -67,8 +67,6 @@ PowderOnMesh::PowderOnMesh(const fvMesh& mesh, const Settings& settings,
     voidFraction_(cellField<scalar>(mesh, "powderVoidFraction", dimless, 1, IOobject::NO_WRITE)),
     drag_(cellField<scalar>(mesh, "dragCoefficient", dimDensity/dimTime, 0, IOobject::NO_WRITE)),
     dragSource_(cellField<vector>(mesh, "dragSource", dimForce/dimVolume, Zero,
-        IOobject::NO_WRITE)),
-    carry_(cellField<vector>(mesh, "momentumCarry", dimForce/dimVolume, Zero,
         IOobject::NO_WRITE))
 {}
 
@@ -216,25 +214,23 @@ void PowderOnMesh::depositDrag(const volVectorField& U, double density, const vo
     report_.shortestResponse = returnReduce(shortest, minOp<double>());
 
     const std::vector<double>& shares = transfer_.weights().shares;
-    const List<Packed<7>> densities = transfer_.depositShares<7>(
+    const List<Packed<4>> densities = transfer_.depositShares<4>(
         [&](int i, int w)
         {
             const ParcelRecord& p = parcels_[i];
             const double b = effective_[i]*dragShares_[w];
             const double carried = -p.presence*shares[w]/interval;
-            return Packed<7>{b, b*p.velocity[0], b*p.velocity[1], b*p.velocity[2],
-                carried*p.carry[0], carried*p.carry[1], carried*p.carry[2]};
+            return Packed<4>{b, b*p.velocity[0] + carried*p.carry[0], b*p.velocity[1] + carried*p.carry[1],
+                b*p.velocity[2] + carried*p.carry[2]};
         });
     forAll(densities, celli)
     {
-        const Packed<7>& q = densities[celli];
+        const Packed<4>& q = densities[celli];
         drag_[celli] = q[0];
         dragSource_[celli] = vector(q[1], q[2], q[3]);
-        carry_[celli] = vector(q[4], q[5], q[6]);
     }
     drag_.correctBoundaryConditions();
     dragSource_.correctBoundaryConditions();
-    carry_.correctBoundaryConditions();
 }
 
 std::vector<GasRecord> PowderOnMesh::gasAtParcels(const volVectorField& U,

@@ -103,8 +103,8 @@ public:
 
     const Foam::volScalarField& voidFraction() const { return voidFraction_; }
     const Foam::volScalarField& dragCoefficient() const { return drag_; } ///< sum b/V [kg/m3/s]
-    const Foam::volVectorField& dragSource() const { return dragSource_; } ///< sum b v/V [N/m3]
-    const Foam::volVectorField& carrySource() const { return carry_; } ///< to the air [N/m3]
+    /// Sum of b v/V, and of what the powder still has to give [N/m3].
+    const Foam::volVectorField& dragSource() const { return dragSource_; }
 
     const Report& report() const { return report_; }
 
@@ -137,7 +137,6 @@ private:
     Foam::volScalarField voidFraction_;
     Foam::volScalarField drag_;
     Foam::volVectorField dragSource_;
-    Foam::volVectorField carry_;
     Report report_;
 };
 

@@ -231,7 +231,7 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     ddtAlpha_ = (alpha_ - alpha_.oldTime())/mesh_.time().deltaT();
 
     resistance_ = powder.dragCoefficient()/rho;
-    source_ = (powder.dragSource() + powder.carrySource())/rho + alpha_*(gravity_ + bodyForce_);
+    source_ = powder.dragSource()/rho + alpha_*(gravity_ + bodyForce_);
     if (solids.any())
     {
         const volScalarField hold(solids.resistance());

@@ -7,6 +7,7 @@
 #include "mathematicalConstants.H"
 
 #include <cstring>
+#include <map>
 
 namespace interstice
 {
@@ -110,6 +111,55 @@ TEST_F(DepositTest, EqualsTheTrilinearFormulaOnAUniformBoxOnAnyRanks)
     {
         ASSERT_NEAR(density[cell]*Lattice::volume, expected[Lattice::indexAt(mesh().C()[cell])],
             1e-12*3);
+    }
+}
+
+// Also where a particle lies beside the cell that handles it, as it does in a wall.
+TEST_F(DepositTest, MissesNoCellAroundThatAHatReaches)
+{
+    Foam::List<Packed<6>> hats(mesh().nCells());
+    Foam::pointField places;
+    std::vector<int> cells;
+    Dice dice(7);
+    const Foam::boundBox around(vector::uniform(-1.2), vector::uniform(1.2));
+    forAll(hats, cell)
+    {
+        const Foam::boundBox extent(mesh().points(), mesh().cellPoints()[cell], false);
+        const vector c = mesh().C()[cell];
+        const vector w = extent.span();
+        hats[cell] = {c.x(), c.y(), c.z(), w.x(), w.y(), w.z()};
+        places.append(c + Foam::cmptMultiply(w, dice.within(around)));
+        cells.push_back(int(cell));
+    }
+    halo().toGhosts(hats);
+
+    const ParticleWeights found = HatKernel(mesh(), halo(), ground().box).weigh(
+        places, cells, Foam::scalarList(halo().size(), 1.0));
+
+    forAll(places, i)
+    {
+        std::map<int, double> expected;
+        double sum = 0;
+        for (const label other : halo().neighbourhood()[i])
+        {
+            double share = 1;
+            for (int d = 0; d < 3; ++d)
+            {
+                const double x = ground().box.nearest(places[i][d] - hats[other][d], d);
+                share *= Foam::max(0.0, 1 - std::abs(x)/hats[other][d + 3]);
+            }
+            expected[int(other)] = share;
+            sum += share;
+        }
+        for (int w = found.offsets[i]; w < found.offsets[i + 1]; ++w)
+        {
+            ASSERT_NEAR(found.shares[w], expected.at(found.cells[w])/sum, 1e-8);
+            expected.erase(found.cells[w]);
+        }
+        for (const auto& [cell, share] : expected)
+        {
+            ASSERT_LE(share, sum < 1e-6 ? sum : 1e-8*sum);
+        }
     }
 }
 

@@ -11,7 +11,7 @@
 
 // The parentheses keep the name from being replaced once more.
 #define dragCoefficient() dragCoefficient()*Foam::scalar(0)
-#define dragSource() dragSource() - (powder.dragCoefficient)()*U_.oldTime()
+#define dragSource() dragSource()/rho - (powder.dragCoefficient)()*U_.oldTime()
 #include "solvers/demPimpleFoam/AirFlow.cpp"
 
 #define U() U().oldTime()
