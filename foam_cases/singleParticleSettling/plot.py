@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Velocity of the falling grain against the path of the drag law: a table and pictures/velocity.png."""
 import math
-import re
 import sys
 from pathlib import Path
 
