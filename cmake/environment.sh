@@ -4,12 +4,13 @@
 
 export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 
-interstice_bin=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build/release/bin
+# Where a case that lies elsewhere finds what all cases share.
+INTERSTICE_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export INTERSTICE_ROOT
 case :$PATH: in
-    *:"$interstice_bin":*) ;;
-    *) export PATH=$interstice_bin:$PATH ;;
+    *:"$INTERSTICE_ROOT/build/release/bin":*) ;;
+    *) export PATH=$INTERSTICE_ROOT/build/release/bin:$PATH ;;
 esac
-unset interstice_bin
 
 # More ranks than cores are slow but right.
 export OMPI_MCA_rmaps_base_oversubscribe=1

@@ -8,6 +8,7 @@
 Reads postProcessing/ and VTK/ (foamToVTK -legacy -ascii), here and in variants/noAir.
 """
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -18,7 +19,8 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(case/"scene")]
 
 import section

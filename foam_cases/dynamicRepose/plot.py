@@ -5,6 +5,7 @@
     ./plot.py [FOLDER]     of a run, as variants/NAME; without, of the run in this folder
 """
 import math
+import os
 import sys
 from pathlib import Path
 
@@ -12,7 +13,8 @@ import numpy as np
 from matplotlib.patches import Circle
 
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(root/"studies/calibration"), str(root/"foam_cases/common")]
 

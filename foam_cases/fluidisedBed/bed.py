@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run of this case says of its bed, for plot.py and measure: series in time, and means over it."""
 import math
+import os
 import sys
 from pathlib import Path
 
 import numpy as np
 
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters

@@ -6,6 +6,7 @@ pictures/beverloo.png, pictures/air.png.
 Reads variants/noAir8, noAir12, noAir16, vacuum, open and closed, and preparation/bed.dump.
 """
 import math
+import os
 import re
 import sys
 from pathlib import Path
@@ -19,7 +20,8 @@ from matplotlib.patches import Circle, Rectangle
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters

@@ -7,6 +7,7 @@ the mesh sees, layer by layer, and with the velocity of the fluid relative to th
 little under less load, slowly when they carry hardly any.
 """
 import math
+import os
 import re
 import sys
 from dataclasses import dataclass
@@ -15,7 +16,8 @@ from pathlib import Path
 import numpy as np
 
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters

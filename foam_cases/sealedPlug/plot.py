@@ -5,6 +5,7 @@
 Reads postProcessing/ and the last time, here and in noAir/.
 """
 import math
+import os
 import re
 import sys
 from pathlib import Path
@@ -16,7 +17,8 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Velocity of the falling grain against the path of the drag law: a table and pictures/velocity.png."""
 import math
+import os
 import sys
 from pathlib import Path
 
@@ -12,7 +13,8 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
-root = next(p for p in case.parents if (p/"liggghts_scripts").is_dir())
+root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
+    os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters

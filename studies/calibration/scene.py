@@ -2,6 +2,7 @@
 """What the scenes of the calibration (heap, drum) have in common: what LIGGGHTS is told, and what it
 wrote."""
 import re
+import shutil
 import subprocess
 import sys
 
@@ -33,6 +34,18 @@ def writeParameters(case, values):
         lines.append(f"variable        {key} index {word}")
     (case/"preparation").mkdir(exist_ok=True)
     (case/"preparation/parameters.in").write_text("\n".join(lines) + "\n")
+
+
+def main(case, root, script, words):
+    """The script `run` of a scene."""
+    if words[1:] not in ([], ["-np", "1"]):
+        sys.exit(f"usage: {words[0]} [-np 1]\nThis case runs on one rank: LIGGGHTS would pour in another "
+                 "number of parcels on more.")
+    if subprocess.run([case/"prepare"]).returncode:
+        sys.exit(1)
+    shutil.rmtree(case/"postProcessing", ignore_errors=True)
+    (case/"postProcessing").mkdir()
+    run(case, root, script)
 
 
 def run(case, root, script):
