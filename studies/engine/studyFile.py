@@ -7,13 +7,12 @@ from pathlib import Path
 import studyCase
 import yamlFile
 from badInput import BadInput, nearest
+from seeds import SEEDS
 from shownAs import text
 from studyCase import shown
 
 KEYS = ("case", "title", "base", "vary", "oneAtATime", "variants", "packings", "ranks", "measures",
         "reference", "keep")
-# Primes: LIGGGHTS takes no other seeds. The 2, 3, 4 ... millionth, without those that the pouring scripts use themselves.
-SEEDS = (32452843, 49979687, 67867967, 86028121, 104395301, 122949823, 141650939, 198491317, 217645177, 236887691)
 
 
 @dataclass
