@@ -12,9 +12,6 @@ import os
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 sys.dont_write_bytecode = True
@@ -25,13 +22,12 @@ sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(case/"s
 
 import section
 import uniformity
+from picture import blue as withAir
+from picture import grey, plt, save
+from picture import red as noAir
 from runFolder import cells, derived, instants, parcels
 
 twin = case/"variants/noAir"
-ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
 def table(folder, name):
@@ -74,11 +70,11 @@ def filling(d):
         for axes in (upper, lower):
             axes.axvline(1e3*at, color="0.75", lw=0.8, zorder=0)
         upper.annotate(text, (1e3*at, 1.01), xycoords=("data", "axes fraction"), rotation=12,
-                       ha="left", va="bottom", fontsize=8, color="0.45")
+                       ha="left", va="bottom", fontsize=8, color=grey)
     upper.set(ylabel="filling ratio [%]", ylim=(0, 105), xlim=(0, 1e3*d["endTime"]))
     lower.set(ylabel="powder into the die [mm³/s]", xlabel="time [ms]")
     lower.set_ylim(bottom=min(0, lower.get_ylim()[0]))
-    save(fig, "filling.png")
+    save(fig, case, "filling.png")
 
 
 def stations(d):
@@ -104,7 +100,7 @@ def sections(d):
     for axes in panels[:, 0]:
         axes.set_ylabel("z [mm]")
     fig.colorbar(dots, ax=panels, label="parcel speed [m/s]", shrink=0.6, pad=0.01)
-    save(fig, "section.png")
+    save(fig, case, "section.png")
 
 
 def shot(axes, d, air, powder):
@@ -153,13 +149,7 @@ def time():
     axes.set(xlabel="wall time [s]")
     axes.margins(x=0.18)
     axes.legend(frameon=False, loc="lower right")
-    save(fig, "time.png")
-
-
-def save(fig, name):
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures"/name)
-    plt.close(fig)
+    save(fig, case, "time.png")
 
 
 def summary():

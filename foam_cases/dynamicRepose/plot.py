@@ -21,7 +21,8 @@ sys.path[:0] = [str(root/"studies/calibration"), str(root/"foam_cases/common")]
 import parameters
 import scene
 import surfaceLine
-from picture import blue, mm, parcels, plt, red
+from parcelPicture import parcels
+from picture import blue, mm, plt, red, save
 
 
 def line(grains, radius):
@@ -57,10 +58,9 @@ def main():
     right.set(xlabel="turns of the drum", ylabel="angle of the surface [degrees]",
               title=f"mean {mean:.1f} ± {error:.1f} degrees")
     right.title.set_fontsize(10)
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures/drum.png")
+    save(fig, case, "drum.png")
     print(f"dynamic angle of repose {mean:.2f} +- {error:.2f} deg, scatter in time "
-          f"{angles.std(ddof=1):.2f} deg\npicture: pictures/drum.png")
+          f"{angles.std(ddof=1):.2f} deg")
 
 
 if __name__ == "__main__":

@@ -8,9 +8,6 @@ dpmFoam.dat, whichever of them are there.
 import sys
 from xml.etree import ElementTree
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
@@ -18,13 +15,10 @@ from matplotlib.patches import Circle
 sys.dont_write_bytecode = True
 
 import bed
+from picture import blue, green, grey, plt, red, save
 
 case = bed.case
-ink = "#22303c"
-colours = {"ErgunWenYu": "#2166ac", "GidaspowHuilin": "#1a9850", "DPMFoam": "#b2182b"}
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+colours = {"ErgunWenYu": blue, "GidaspowHuilin": green, "DPMFoam": red}
 
 
 def runs():
@@ -85,16 +79,15 @@ def main():
         lower.plot(drop[:, 0], drop[:, 1], color=colours[name], lw=0.6, alpha=0.8)
         print(f"  {name:<18}{1e3*bed.mean(height, start):19.2f}{bed.mean(drop, start):21.1f}"
               f"{100*(bed.mean(drop, start)/expected - 1):9.2f} %")
-    lower.axhline(expected, color="0.45", lw=1)
-    lower.annotate("net weight over area", (0, expected), xytext=(2, 3), color="0.45",
+    lower.axhline(expected, color=grey, lw=1)
+    lower.annotate("net weight over area", (0, expected), xytext=(2, 3), color=grey,
                    textcoords="offset points", fontsize=8)
     upper.set(ylabel="mean height of the spheres [mm]", ylim=(60, 160))
     lower.set(ylabel="pressure drop [Pa]", xlabel="time [s]", ylim=(0, 2*expected),
               xlim=(0, p["endTime"]))
     upper.legend(frameon=False, ncol=3, loc="upper right")
     snapshot(fig.add_subplot(grid[:, 1]), p)
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures/bed.png")
+    save(fig, case, "bed.png")
 
 
 if __name__ == "__main__":

@@ -11,9 +11,6 @@ import re
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle, Rectangle
@@ -25,13 +22,10 @@ root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) 
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters
+from picture import blue, green, grey, plt, red, save
 
 steady = 0.05  # the flow has settled from then on [s]
 spheres, constant = 1.4, 0.58  # k and C of Beverloo's law
-ink, blue, red, green = "#22303c", "#2166ac", "#b2182b", "#1b7837"
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
 class Run:
@@ -94,7 +88,7 @@ def beverloo(runs, density):
     right.set_xticks([5, 7, 10, 14, 18], ["5", "7", "10", "14", "18"])
     right.set_xticks([], minor=True)
     right.legend(frameon=False, loc="upper left")
-    save(fig, "beverloo.png")
+    save(fig, case, "beverloo.png")
 
 
 def withAir(runs):
@@ -111,7 +105,7 @@ def withAir(runs):
                 ylim=(0, None))
     axes[0].legend(frameon=False)
     axes[1].set_ylabel("height [mm]")
-    save(fig, "air.png")
+    save(fig, case, "air.png")
 
 
 def section(axes, run, name, colour):
@@ -126,20 +120,13 @@ def section(axes, run, name, colour):
     half, hole, thick = mm*p["half"], mm*p["orifice"]/2, mm*p["plateThickness"]
     for side in (-1, 1):
         axes.fill([side*hole, side*half, side*half, side*hole], [0, 0, -thick, -thick],
-                  color="0.45", lw=0)
-        axes.add_patch(Rectangle((side*(half + 0.5) - 0.5, 0), 1, mm*p["airHigh"], color="0.45"))
+                  color=grey, lw=0)
+        axes.add_patch(Rectangle((side*(half + 0.5) - 0.5, 0), 1, mm*p["airHigh"], color=grey))
     if p["lid"] == "closed":
-        axes.add_patch(Rectangle((-half - 1, mm*p["airHigh"]), 2*half + 2, 1, color="0.45"))
+        axes.add_patch(Rectangle((-half - 1, mm*p["airHigh"]), 2*half + 2, 1, color=grey))
     axes.set(xlim=(-half - 1, half + 1), ylim=(mm*p["airLow"], mm*p["airHigh"] + 1),
              aspect="equal", xlabel="x [mm]")
     axes.set_title(f"{name}, {1e3*t:.0f} ms", fontsize=10)
-
-
-def save(fig, name):
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures"/name)
-    plt.close(fig)
-    print(f"picture: pictures/{name}")
 
 
 def main():

@@ -3,19 +3,15 @@
 """Pressure drop of the bed against superficial velocity: pictures/pressureDrop.png, and a table."""
 import sys
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 sys.dont_write_bytecode = True
 
 import bed
+from picture import blue as found
+from picture import grey, mm, plt, save
+from picture import red as theory
 
-ink, found, theory, grey = "#22303c", "#2166ac", "#b2182b", "0.45"
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
 def tell(run):
@@ -33,7 +29,7 @@ def tell(run):
 
 def picture(run):
     fig, axes = plt.subplots(figsize=(7, 4.6), layout="constrained")
-    mm, weight, onset = 1e3, run.weight, run.onset
+    weight, onset = run.weight, run.onset
     speeds = np.linspace(0, mm*run.velocity.max(), 50)
     axes.plot(speeds, [bed.drop(run.profile, s/mm, run.p) for s in speeds], color=theory, lw=1.2)
     axes.annotate("Ergun, bed as in the beginning", (0.5*mm*onset, 0.5*weight), xytext=(8, -14),
@@ -49,8 +45,7 @@ def picture(run):
     axes.legend(frameon=False, loc="upper left")
     axes.set(xlabel="superficial velocity [mm/s]", ylabel="pressure drop of the bed [Pa]",
              xlim=(0, None), ylim=(0, 1.3*weight))
-    (bed.case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(bed.case/"pictures/pressureDrop.png")
+    save(fig, bed.case, "pressureDrop.png")
 
 
 def main():

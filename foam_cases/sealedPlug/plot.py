@@ -10,9 +10,6 @@ import re
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 sys.dont_write_bytecode = True
@@ -22,11 +19,10 @@ root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) 
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters
+from picture import blue as withAir
+from picture import plt, save
+from picture import red as noAir
 
-ink, withAir, noAir = "#22303c", "#2166ac", "#b2182b"
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
 def gidaspowHuilin(alpha, re):
@@ -140,9 +136,7 @@ def main():
     right.set(xlabel=f"pressure after {1e3*t[-1]:.0f} ms [Pa]", ylabel="height [mm]",
               ylim=(0, 1e3*p["columnHeight"]*p["cellSize"]), xlim=(0, 1.1*below))
     right.legend(frameon=False, loc="upper right")
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures/plug.png")
-    print("picture: pictures/plug.png")
+    save(fig, case, "plug.png")
 
 
 if __name__ == "__main__":

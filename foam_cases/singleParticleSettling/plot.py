@@ -6,9 +6,6 @@ import os
 import sys
 from pathlib import Path
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
 sys.dont_write_bytecode = True
@@ -18,12 +15,9 @@ root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) 
 sys.path.insert(0, str(root/"foam_cases/common"))
 
 import parameters
+from picture import blue, grey, plt, red, save
 
 allowed = 0.5  # distance from the path [%]
-ink, blue, red = "#22303c", "#2166ac", "#b2182b"
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
 
 
 # Drag coefficient times Reynolds number of a lone sphere.
@@ -95,10 +89,8 @@ def main():
     lower.axhline(0, color=blue, lw=1)
     lower.set(ylabel="distance [%]", xlabel="time [ms]", xlim=(0, 1e3*t[-1]), ylim=(-1, 1))
     lower.annotate("allowed", (1e3*t[-1], allowed), xytext=(-2, 2), textcoords="offset points",
-                   ha="right", color="0.45", fontsize=8)
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures/velocity.png")
-    print("picture: pictures/velocity.png")
+                   ha="right", color=grey, fontsize=8)
+    save(fig, case, "velocity.png")
 
 
 if __name__ == "__main__":

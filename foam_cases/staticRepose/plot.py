@@ -15,11 +15,12 @@ case = Path(__file__).resolve().parent
 root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
     os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root/"studies/calibration"))
+sys.path[:0] = [str(root/"studies/calibration"), str(root/"foam_cases/common")]
 
 import scene
 import surfaceLine
-from picture import mm, parcels, plt, red
+from parcelPicture import parcels
+from picture import mm, plt, red, save
 
 
 def draw(axes, grains):
@@ -55,10 +56,9 @@ def main():
         panels[-1].plot(mm*(levels - foot)/slope, mm*levels, color=red, lw=2)
     panels[-1].set_xlabel("x [mm]")
     fig.colorbar(drawn, ax=panels, label="speed [m/s]", shrink=0.5)
-    (case/"pictures").mkdir(exist_ok=True)
-    fig.savefig(case/"pictures/heap.png")
+    save(fig, case, "heap.png")
     print(f"static angle of repose {found['angle']:.2f} +- {found['error']:.2f} deg (left "
-          f"{found['left']:.2f}, right {found['right']:.2f})\npicture: pictures/heap.png")
+          f"{found['left']:.2f}, right {found['right']:.2f})")
 
 
 if __name__ == "__main__":

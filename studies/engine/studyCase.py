@@ -11,7 +11,6 @@
 import json
 import re
 import subprocess
-from pathlib import Path
 
 import yamlFile
 from badInput import BadInput, nearest

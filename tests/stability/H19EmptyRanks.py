@@ -14,7 +14,7 @@ each at a place of its own, so that the number of ranks does not change what is 
 """
 import math
 
-from hardCase import GRAVITY, Box, Powder, change, grainVolume, main, measured, table, volumeError
+from hardCase import GRAVITY, Box, Powder, change, main, measured, table, volumeError
 from H18Decompositions import EQUAL, CutCase, difference
 
 CELL, CELLS = 1e-3, (16, 4, 8)  # [m]

@@ -20,7 +20,6 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT/"studies/sensitivity"
 program = loaded(PROGRAM)  # which makes the modules below known
 
-import sensitivityMap
 import sensitivityRank
 import tableFile
 from accuracyTable import Choices

@@ -1,16 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How pictures of the calibration scenes look."""
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+"""Parcels of the calibration scenes, drawn."""
 import numpy as np
 from matplotlib.collections import EllipseCollection
-
-ink, blue, red = "#22303c", "#2166ac", "#b2182b"
-mm = 1e3
-plt.rcParams.update({"font.size": 10, "axes.edgecolor": ink, "axes.labelcolor": ink,
-                     "axes.spines.top": False, "axes.spines.right": False, "text.color": ink,
-                     "xtick.color": ink, "ytick.color": ink, "savefig.dpi": 160})
+from picture import mm
 
 
 def parcels(axes, grains, some=None, **colours):
