@@ -82,7 +82,7 @@ def main():
     lower.axhline(expected, color=grey, lw=1)
     lower.annotate("net weight over area", (0, expected), xytext=(2, 3), color=grey,
                    textcoords="offset points", fontsize=8)
-    upper.set(ylabel="mean height of the spheres [mm]", ylim=(60, 160))
+    upper.set(ylabel="mean height of the spheres [mm]")
     lower.set(ylabel="pressure drop [Pa]", xlabel="time [s]", ylim=(0, 2*expected),
               xlim=(0, p["endTime"]))
     upper.legend(frameon=False, ncol=3, loc="upper right")
