@@ -45,10 +45,9 @@ def written(changes):
 def variantsOf(study):
     """Values of all parameters of each variant, and the number of its reference."""
     variants = Variants(study)
-    if study.vary:
-        for values in itertools.product(*study.vary.values()):
-            variants.add({**study.base, **dict(zip(study.vary, values))}, inVary=True)
-    if study.oneAtATime or not study.vary and not study.variants:
+    for changes in combinations(study):
+        variants.add({**study.base, **changes}, inVary=True)
+    if study.oneAtATime or not variants.found and not study.variants:
         variants.add(study.base, again=True)
     for key, values in study.oneAtATime.items():
         for value in values:
@@ -65,6 +64,15 @@ def variantsOf(study):
                            "'variants', or name one that is.")
     references = [numbers.get(variants.referenceOf.get(one)) for one in variants.found]
     return list(variants.found.values()), references
+
+
+def combinations(study):
+    """Of all values in `vary`, and of each of them with each set of `together`; none if the study has neither."""
+    axes = [[{key: value} for value in values] for key, values in study.vary.items()]
+    if study.together:
+        axes.append([dict(zip(study.together, values)) for values in zip(*study.together.values())])
+    return [{key: value for part in parts for key, value in part.items()}
+            for parts in itertools.product(*axes)] if axes else []
 
 
 def planOf(study):

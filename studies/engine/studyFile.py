@@ -11,7 +11,7 @@ from seeds import SEEDS
 from shownAs import text
 from studyCase import shown
 
-KEYS = ("case", "title", "base", "vary", "oneAtATime", "variants", "packings", "ranks", "measures",
+KEYS = ("case", "title", "base", "vary", "together", "oneAtATime", "variants", "packings", "ranks", "measures",
         "reference", "keep")
 
 
@@ -23,6 +23,7 @@ class Study:
     title: str
     base: dict
     vary: dict  # key -> values
+    together: dict  # key -> values, the first of each belonging together, the second, ...
     oneAtATime: dict
     variants: list  # of changes
     seeds: list  # [None]: the case has none
@@ -53,6 +54,7 @@ def read(path):
     return Study(
         name, path.resolve(), case, str(content.get("title") or name), base,
         lists(case, content.get("vary"), f"{where}, vary"),
+        inStep(case, content, where),
         lists(case, content.get("oneAtATime"), f"{where}, oneAtATime"),
         listed(case, content, where), seeds(case, content, where), measures(case, content, where),
         reference, yes(content.get("keep", "no"), where))
@@ -93,8 +95,8 @@ def changes(case, content, where):
     return {key: checked(case, key, value, where) for key, value in content.items()}
 
 
-def lists(case, content, where):
-    """key: [value, ...], ..."""
+def lists(case, content, where, repeated=False):
+    """key: [value, ...], ...; the same value twice only if `repeated`."""
     if content is None:
         return {}
     if not isinstance(content, dict):
@@ -108,8 +110,22 @@ def lists(case, content, where):
             raise BadInput(f"{where}: the list of '{key}' is empty; give it values or leave it out.")
         for value in values:
             checked(case, key, value, where)
-        once(values, f"{where}: the list of '{key}'")
+        if not repeated:
+            once(values, f"{where}: the list of '{key}'")
     return content
+
+
+def inStep(case, content, where):
+    together = lists(case, content.get("together"), f"{where}, together", repeated=True)
+    lengths = {key: len(values) for key, values in together.items()}
+    if len(set(lengths.values())) > 1:
+        raise BadInput(f"{where}, together: the lists must be of one length, as their first values belong together, and "
+                       "so on, and have " + ", ".join(f"{number} ({key})" for key, number in lengths.items())
+                       + " values.")
+    for key in together:
+        if key in (content.get("vary") or {}):
+            raise BadInput(f"{where}: '{key}' stands in 'vary' and in 'together'; keep one.")
+    return together
 
 
 def once(values, what):

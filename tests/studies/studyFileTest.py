@@ -45,6 +45,15 @@ class TheRuns(InThisProcess):
                                 "ranks=1 particleDiameter=6e-05 shoeSpeed=0.2 dieDepth=0.004"])
         self.assertIn("4 variants, 4 runs, 0 of them done", out)
 
+    def testVaryInStepWhatStandsTogether(self):
+        together = "together: {particleDiameter: [40e-6, 80e-6], mode: [plain, plain], dieDepth: [4e-3, 2e-3]}\n"
+        pair = ["ranks=1 dieDepth=0.004", "ranks=1 particleDiameter=8e-05 dieDepth=0.002"]
+        self.assertEqual(self.runs(together)[0], pair)
+        runs, out = self.runs("vary: {shoeSpeed: [0.1, 0.2]}\n" + together + "packings: 1\n")
+        self.assertEqual(runs, pair + ["ranks=1 shoeSpeed=0.2 dieDepth=0.004",
+                                       "ranks=1 particleDiameter=8e-05 shoeSpeed=0.2 dieDepth=0.002"])
+        self.assertIn("4 variants, 4 runs", out)
+
     def testVaryOneAtATimeAboutTheBase(self):
         runs, _ = self.runs("oneAtATime: {shoeSpeed: [0.1, 0.3], ranks: [2]}\n"
                             "variants: [{shoeSpeed: 0.3, ranks: 4}]\n")
@@ -161,6 +170,16 @@ class BadInput(InThisProcess):
         self.refused("measures: [slope, slope]\n", "the list of measures has slope twice")
         self.refused("ranks: 1\nbase: {ranks: 2}\n", "'ranks' stands in the study and in its base")
         self.refused("vary: {seed: [1, 2]}\n", "'seed' is varied by the packings")
+
+    def testTogetherThatIsNoPairing(self):
+        self.refused("together: {shoeSpeed: [0.1, 0.2], dieDepth: [4e-3]}\n", "study.yaml, together: the lists must be of "
+                     "one length", "2 (shoeSpeed), 1 (dieDepth)")
+        self.refused("vary: {shoeSpeed: [0.3]}\ntogether: {shoeSpeed: [0.1], dieDepth: [4e-3]}\n",
+                     "'shoeSpeed' stands in 'vary' and in 'together'; keep one")
+        self.refused("together: {shoeSpeed: [0.2, 0.2], dieDepth: [4e-3, 4e-3]}\n",
+                     "the variant shoeSpeed=0.2 dieDepth=0.004 stands there twice")
+        self.refused("together: {shoeSpeed: []}\n", "together: the list of 'shoeSpeed' is empty")
+        self.refused("together: [0.1]\n", "'parameter: [value, value]' is wanted")
 
     def testAReferenceThatIsNotThere(self):
         self.refused("vary: {shoeSpeed: [0.1, 0.2]}\nreference: {shoeSpeed: 0.3}\n",
