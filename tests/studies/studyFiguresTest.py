@@ -169,7 +169,7 @@ class Command(Folder):
     def testListsAllFigures(self):
         out, _ = self.run_("--list")
         self.assertEqual(len(out.splitlines()), len(program.catalogue.FIGURES))
-        for study in ("filling.yaml", "cavity.yaml", "coarseGraining.yaml"):
+        for study in {figure.study for figure in program.catalogue.FIGURES.values()}:
             self.assertIn(study, out)
             self.assertTrue((PROGRAM.parent/study).is_file())
 
@@ -217,7 +217,7 @@ class CriticalSize(Folder):
             said = self.work/"fillingModel"
             said.write_text("#!/bin/sh\necho 'No series crosses the threshold.' >&2\nexit 1\n")
             said.chmod(0o755)
-            self.refused("No series crosses the threshold. The study filling.yaml gives", GRID,
+            self.refused("No series crosses the threshold. The study criticalSize.yaml gives", GRID,
                          "predicted")
 
 

@@ -96,7 +96,7 @@ class Sections:
 class Critical:
     number: str
     text: str
-    study: str = "filling.yaml"
+    study: str = "criticalSize.yaml"
     predicted: bool = False
 
     def draw(self, table, chosen):
