@@ -9,6 +9,7 @@ import subprocess
 import sys
 import unittest
 
+import numpy as np
 import yaml
 
 from studyFiguresTest import Folder, ROOT, program, row
@@ -153,6 +154,14 @@ class Sections(Folder):
                       peakAirSpeed=0.43732, freeAirShare=0.9)
         self.near(said[3], packings=2, meanVorticity=600, circulationClockwise=0,
                   circulationCounter=3*7.2e-3, peakAirSpeed=3*0.43732, **{"meanVorticity.error": 200})
+
+    def testCellsOfOneLineThatDifferByRoundingAreOneLine(self):
+        """Else the streamlines' grid of half a cell has millions of points a side."""
+        cells = np.add.outer(np.linspace(-4.2, 12, 28), [0, 1e-6, -1e-6]).ravel()[::-1]
+        where, number = velocitySections.lines(cells)
+        self.assertEqual(len(where), 28)
+        self.assertLess(np.abs(where[number] - cells).max(), 1.1e-6)
+        self.assertTrue((np.diff(where) > 0.59).all())
 
     def testPowderIsDrawnWhereItLiesAndAsFastAsItIs(self):
         fig = self.drawn(self.kept(a=(30e-6, 100)), "powderSections")

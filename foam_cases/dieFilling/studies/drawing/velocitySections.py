@@ -188,8 +188,8 @@ def flow(axes, centres, data, top):
     """Speed as colour, streamlines, and the surface of the powder's bulk."""
     level = np.abs(centres[:, 1]) < np.abs(centres[:, 1]).min() + 1e-7
     level &= centres[:, 1] <= centres[np.argmin(np.abs(centres[:, 1])), 1] + 1e-7
-    x, column = np.unique(np.round(MM*centres[level, 0], 5), return_inverse=True)
-    z, row = np.unique(np.round(MM*centres[level, 2], 5), return_inverse=True)
+    x, column = lines(MM*centres[level, 0])
+    z, row = lines(MM*centres[level, 2])
 
     def plane(values, empty):
         filled = np.full((len(z), len(x)), empty, float)
@@ -205,6 +205,16 @@ def flow(axes, centres, data, top):
     bulk = np.ma.masked_where(blocked, plane(data["voidFraction"][:, 0], 1))
     axes.contour(x, z, bulk, [airNumbers.BULK], colors="#D55E00", linewidths=1.2, zorder=3)
     return coloured
+
+
+def lines(values):
+    """Along an axis: where the mesh has cells, ascending, and the number of the line on which each cell lies. VTK's
+    numbers of 4 bytes make those of one line differ."""
+    order = np.argsort(values)
+    gaps = np.diff(values[order])
+    number = np.empty(len(values), int)
+    number[order] = np.concatenate([[0], np.cumsum(gaps > 0.01*gaps.max())])
+    return np.bincount(number, values)/np.bincount(number), number
 
 
 def streamlines(axes, x, z, u, w, blocked):
