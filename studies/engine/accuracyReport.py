@@ -33,7 +33,7 @@ def rows(choices):
     for key, variants in choices.knobs.items():
         for variant in variants:
             row = {"knob": key, "value": text(variant.changes[key]),
-                   "timeRatio": choices.timeRatio(variant)}
+                   "timeRatio": choices.timeRatio(variant), **variant.times}
             for measure in choices.measures:
                 change = difference(choices, variant, measure)
                 row[f"{measure}.difference"] = change.value
@@ -62,7 +62,8 @@ def markdown(choices, orders):
 def introduction(choices):
     reference = choices.reference
     common = ", ".join(f"{key} {text(reference.parameters[key])}" for key in choices.knobs)
-    words = (f"The reference has {common}; it takes {reference.seconds:.3g} s. Differences are to it, "
+    where = "" if choices.clock == "seconds" else " in the solver, which is what counts as time here"
+    words = (f"The reference has {common}; it takes {reference.seconds:.3g} s{where}. Differences are to it, "
              "with the standard error of both. *Resolved* is more than twice that error; what is not "
              "resolved may be scatter of the packings alone.")
     if choices.pooled:

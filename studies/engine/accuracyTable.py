@@ -3,7 +3,8 @@
 
 A *knob* is a parameter that some variants change alone against the reference. Standard errors of
 few packings are hardly known themselves, so that all rows' scatter is taken together. Of some
-measures the *exact* answer is known: the case says so, or the user.
+measures the *exact* answer is known: the case says so, or the user. Time is that of the solver, if the
+table tells it: whether a bed had to be poured anew for a variant is no matter of its knob.
 """
 import math
 from dataclasses import dataclass, field
@@ -20,7 +21,8 @@ class Variant:
     label: str
     parameters: dict
     changes: dict  # against the reference
-    seconds: float  # None if there is no good run
+    times: dict  # column of the table -> s, or None if there is no good run
+    seconds: float  # the one that counts
     packings: int
     values: dict = field(default_factory=dict)  # measure -> mean or None
     errors: dict = field(default_factory=dict)  # measure -> standard error or None
@@ -36,6 +38,7 @@ class Choices:
             if column not in table.columns:
                 raise BadInput(f"{table.name} has no column '{column}': take the table.csv of a "
                                "study, as studies/study writes it.")
+        self.clock = "seconds.solver" if any(row.get("seconds.solver") for row in table.rows) else "seconds"
         self.measures = self.chosenMeasures(measures)
         self.exact = self.exactAnswers(exact or {})
         keys = table.columns[table.columns.index("variant") + 1:table.columns.index("status")]
@@ -74,7 +77,8 @@ class Choices:
 
     def variant(self, row, keys):
         parameters = {key: number(row[key]) for key in keys}
-        found = Variant(row["variant"], parameters, {}, self.cell(row, "seconds"),
+        times = {column: self.cell(row, column) for column in row if column.split(".")[0] == "seconds"}
+        found = Variant(row["variant"], parameters, {}, times, times[self.clock],
                         int(self.cell(row, "packings") or 0) if "packings" in row else 0)
         for key in self.measures:
             found.values[key] = self.cell(row, key)

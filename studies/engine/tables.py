@@ -39,11 +39,18 @@ def cell(value):
     return value if isinstance(value, str) else f"{value:.10g}"
 
 
+def stagesOf(results):
+    return list(dict.fromkeys(stage for result in results for stage in result.get("stages", {})))
+
+
+def secondsOf(result, stages):
+    """Of the run, of the solver in it, and of the solver's stages: what was poured before is in the first alone."""
+    return {"seconds": result["seconds"], "seconds.solver": result.get("wallSeconds"),
+            **{f"seconds.{stage}": result.get("stages", {}).get(stage) for stage in stages}}
+
+
 def runRows(plan, results):
-    stages = []
-    for result in results:
-        stages += [stage for stage in result.get("stages", {}) if stage not in stages]
-    rows = []
+    stages, rows = stagesOf(results), []
     for run, result in zip(plan["runs"], results):
         variant = plan["variants"][run["variant"]]
         versions = result.get("versions", {})
@@ -55,9 +62,7 @@ def runRows(plan, results):
         row["particles"] = result.get("particles")
         row.update({f"version.{key}": versions.get(key, "")
                     for key in ("tree", "OpenFOAM", "LIGGGHTS")})
-        row["seconds"] = result["seconds"]
-        row["seconds.solver"] = result.get("wallSeconds")
-        row.update({f"seconds.{stage}": result.get("stages", {}).get(stage) for stage in stages})
+        row.update(secondsOf(result, stages))
         rows.append(row)
     return rows
 
@@ -76,7 +81,7 @@ def meanAndError(values):
 
 def summarised(plan, results):
     """One dictionary a variant: its parameters, state, means, errors and differences."""
-    variants = []
+    variants, stages = [], stagesOf(results)
     for number, variant in enumerate(plan["variants"]):
         own = [result for run, result in zip(plan["runs"], results) if run["variant"] == number]
         good = [result for result in own if result["status"] == "ok"]
@@ -84,7 +89,8 @@ def summarised(plan, results):
             **variant, "status": state(own, good), "packings": len(good),
             "means": {key: meanAndError([result["measures"].get(key) for result in good])
                       for key in plan["measures"]},
-            "seconds": meanAndError([result["seconds"] for result in good])[0]})
+            "seconds": {key: meanAndError([secondsOf(result, stages)[key] for result in good])[0]
+                        for key in secondsOf(NOTHING, stages)}})
     for number, variant in enumerate(variants):
         reference = variant["reference"]
         if reference is not None:
@@ -131,7 +137,7 @@ def flat(plan, variant):
         row[key], row[f"{key}.error"] = variant["means"][key]
         if "differences" in variant:
             row[f"{key}.difference"], row[f"{key}.resolved"], row[f"{key}.pairedError"] = variant["differences"][key]
-    row["seconds"] = variant["seconds"]
+    row.update(variant["seconds"])
     return row
 
 
@@ -142,7 +148,7 @@ def markdown(plan, variants):
             + [shownAs.name(key, about[key]) for key in plan["measures"]] + ["seconds"])
     rows = [head, ["---"]*len(head)]
     for variant in variants:
-        seconds = variant["seconds"]
+        seconds = variant["seconds"]["seconds"]
         rows.append([text(variant["parameters"][key]) for key in varied]
                     + [variant["status"], str(variant["packings"])]
                     + [withError(variant, key, about[key]) for key in plan["measures"]]

@@ -328,6 +328,22 @@ class Command(Tables):
             self.assertEqual(path.read_bytes(), (self.work/"two"/path.name).read_bytes(), path.name)
         self.says((self.work/"one/accuracy.md").read_text())
 
+    def testTimeIsThatOfTheSolver(self):
+        """The stiffer powder's bed had to be poured, which took 300 s: 1.5 times as slow, not 2. Cells: 2 times."""
+        timed = lambda one, solver, dem: {**one, "seconds.solver": solver, "seconds.DEM": dem}
+        rows = [timed(row(0.62, 0.01, 600.0), 590.0, 400.0), timed(row(0.6, 0.01, 1200.0, couplingNumber=0.1), 885.0, 700.0),
+                timed(row(0.56, 0.01, 1200.0, cellSize=3e-4), 1180.0, 400.0)]
+        found = {one["knob"]: one for one in self.table(rows)}
+        self.assertEqual([float(found[knob]["timeRatio"]) for knob in ("couplingNumber", "cellSize")], [1.5, 2])
+        self.assertEqual([found["couplingNumber"][key] for key in ("seconds", "seconds.solver", "seconds.DEM")],
+                         ["1200", "885", "700"])
+        self.assertIn("it takes 590 s in the solver", (self.work/"timed/accuracy.md").read_text())
+
+    def table(self, rows):
+        self.ran(rows, "--out", self.work/"timed")
+        with open(self.work/"timed/accuracy.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
     def says(self, words):
         for wanted in ("| cellSize | 0.0003 | 2 | **-6 ± 0.28** | resolved |",
                        "| couplingNumber | 0.1 | 1.5 | +0.01 ± 0.28 | not resolved |",

@@ -78,6 +78,7 @@ class Tables(ToyCase):
             self.assertAlmostEqual(float(row["fillingRatio.error"]), 0.005773502692, 9)
             self.assertEqual((row["ranks"], row["particleDiameter"], row["dieDepth"]),
                              ("2", "4e-05", "0.005"))
+            self.assertEqual((row["seconds.solver"], row["seconds.DEM"]), ("0.25", "0.125"))
         self.assertAlmostEqual(float(near["fillingRatio.difference"]), 0.016, 9)
         self.assertAlmostEqual(float(far["fillingRatio.difference"]), 0.017, 9)
         self.assertEqual([row["fillingRatio.resolved"] for row in self.rows()], ["", "no", "yes"])
