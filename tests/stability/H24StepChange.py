@@ -8,8 +8,8 @@ contacts amplify them: runs of one packing differ as much as those of two. So me
 compared. Their difference has the standard error s sqrt(2/n), with s the scatter of a single run,
 pooled over all settings, and n the number of packings. Allowed are 1 pp and two standard errors; both are printed,
 and whoever wants it sharper asks for more packings: with s = 2 pp, 3 allow 4.3 pp, 30 allow 2.0 pp.
-foam_cases/dieFilling/studies/stepChange.yaml is the same with thirty: half the step changes the
-ratio by -0.05 +- 0.28 pp, twice the step by +0.06 +- 0.23 pp, four times by -0.33 +- 0.27 pp.
+foam_cases/dieFilling/studies/stepChange.yaml is the same with thirty: a quarter of the step changes
+the ratio by -0.10 +- 0.23 pp, half of it by -0.06 +- 0.23 pp, twice the step by -0.39 +- 0.25 pp.
 
 That the steps really differ is judged, too: a Courant number that binds would make them the same.
 
