@@ -54,7 +54,7 @@ scalar thinnest(const triSurfaceMesh& surface)
     {
         if (hits[i].hit())
         {
-            least = min(least, mag(hits[i].hitPoint() - start[i]));
+            least = min(least, mag(hits[i].hitPoint() - surface.faceCentres()[i]));
         }
     }
     return least;
@@ -94,10 +94,11 @@ void MovingSolid::tabulate(const fileName& path, const std::string& where)
     const scalar finest =
         returnReduce(width_.empty() ? GREAT : *std::min_element(width_.begin(), width_.end()),
             minOp<scalar>());
-    if (thinnest(surface) < 1.99*finest)
+    thickness_ = thinnest(surface);
+    if (leaksIn(finest))
     {
         throw InputError({"A solid must be at least two cells thick, or air leaks through it.",
-            metres(thinnest(surface)) + " thick in " + path, "at least " + metres(2*finest), where,
+            metres(thickness_) + " thick in " + path, "at least " + metres(2*finest), where,
             "Thicken it outwards, where there is only air, or refine the mesh."});
     }
 
@@ -193,9 +194,10 @@ MovingSolid::Seen MovingSolid::outside(const RigidPose& pose, const vector& poin
     return {vector(here[0], here[1], here[2]), max(1 + distance/halfCell, scalar(0))};
 }
 
-void MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
+scalar MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
     volVectorField& velocity) const
 {
+    scalar widest = 0;
     forAll(covered, celli)
     {
         const vector& c = mesh_.C()[celli];
@@ -203,6 +205,10 @@ void MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
         const RigidPose::Vector there = pose.toReference(here);
         const scalar distance = table_.at(vector(there[0], there[1], there[2]));
         const scalar share = min(max(0.5 - distance/width_[celli], scalar(0)), scalar(1));
+        if (share > 0 && share < 1)
+        {
+            widest = max(widest, width_[celli]);
+        }
         if (share > covered[celli])
         {
             const RigidPose::Vector v = pose.velocityAt(here);
@@ -210,6 +216,7 @@ void MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
             velocity[celli] = vector(v[0], v[1], v[2]);
         }
     }
+    return widest;
 }
 
 } // namespace interstice

@@ -34,11 +34,17 @@ class MovingSolid
 public:
     /// Reads a closed triangulated surface [m], in the reference place of its pose. Same call on
     /// all ranks. Throws InputError if the file is missing, the surface open, or thinner than two
-    /// cells (air would leak through it).
+    /// of the finest cells (air would leak through it wherever it goes).
     MovingSolid(const Foam::fvMesh& mesh, const std::string& name, const Foam::fileName& surface,
         const std::string& where);
 
     const std::string& name() const { return name_; }
+
+    /// Where it is thinnest [m].
+    Foam::scalar thickness() const { return thickness_; }
+
+    /// Whether cells as wide [m] let air leak through it.
+    bool leaksIn(Foam::scalar width) const { return thickness_ < 1.99*width; }
 
     /// A point as the air may see it.
     struct Seen
@@ -52,8 +58,9 @@ public:
     Seen outside(const RigidPose& pose, const Foam::vector& point) const;
 
     /// Adds this body at a pose to the covered fraction of each cell (largest body wins) and
-    /// sets the wall velocity [m/s] where it covers something. Local.
-    void cover(const RigidPose& pose, Foam::volScalarField& covered,
+    /// sets the wall velocity [m/s] where it covers something. Returns the widest of the cells that
+    /// its surface crosses [m], 0 if it crosses none. Local.
+    Foam::scalar cover(const RigidPose& pose, Foam::volScalarField& covered,
         Foam::volVectorField& velocity) const;
 
 private:
@@ -76,6 +83,7 @@ private:
     const Foam::fvMesh& mesh_;
     std::string name_;
     std::vector<Foam::scalar> width_; // of the ramp in each cell [m]
+    Foam::scalar thickness_;
     DistanceTable table_;
 };
 

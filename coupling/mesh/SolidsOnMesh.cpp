@@ -25,12 +25,19 @@ constexpr scalar holdTime = 1e-3; // [s]
 SolidsOnMesh::SolidsOnMesh(const fvMesh& mesh)
 :
     mesh_(mesh),
+    coarsest_(std::cbrt(gMax(mesh.V()))),
     covered_(IOobject("solid", mesh.time().timeName(), mesh, IOobject::NO_READ,
                  IOobject::AUTO_WRITE),
         mesh, dimensionedScalar(dimless, Zero), zeroGradientFvPatchScalarField::typeName),
     velocity_(IOobject("solidVelocity", mesh.time().timeName(), mesh), mesh,
         dimensionedVector(dimVelocity, Zero), zeroGradientFvPatchVectorField::typeName)
 {}
+
+void SolidsOnMesh::add(std::unique_ptr<MovingSolid> solid)
+{
+    mayLeak_.push_back(solid->leaksIn(coarsest_));
+    solids_.push_back(std::move(solid));
+}
 
 MovingSolid::Seen SolidsOnMesh::outside(const vector& point) const
 {
@@ -50,10 +57,27 @@ void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
     velocity_ = dimensionedVector(dimVelocity, Zero);
     for (std::size_t i = 0; i < solids_.size(); ++i)
     {
-        solids_[i]->cover(poses[i], covered_, velocity_);
+        const scalar widest = solids_[i]->cover(poses[i], covered_, velocity_);
+        if (mayLeak_[i])
+        {
+            warnOfLeak(i, returnReduce(widest, maxOp<scalar>()));
+        }
     }
     covered_.correctBoundaryConditions();
     velocity_.correctBoundaryConditions();
+}
+
+void SolidsOnMesh::warnOfLeak(std::size_t solid, scalar widest)
+{
+    const MovingSolid& body = *solids_[solid];
+    if (!body.leaksIn(widest))
+    {
+        return;
+    }
+    mayLeak_[solid] = false;
+    Info<< "WARNING: The solid " << body.name().c_str() << ", " << body.thickness()
+        << " m at its thinnest, meets cells " << widest << " m wide, and air leaks through what is "
+        << "thinner than two cells. Refine the mesh along its way, or thicken it." << nl << endl;
 }
 
 tmp<volScalarField> SolidsOnMesh::resistance() const

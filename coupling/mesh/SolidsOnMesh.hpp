@@ -13,11 +13,12 @@ class SolidsOnMesh
 public:
     explicit SolidsOnMesh(const Foam::fvMesh& mesh);
 
-    void add(std::unique_ptr<MovingSolid> solid) { solids_.push_back(std::move(solid)); }
+    void add(std::unique_ptr<MovingSolid> solid);
     const std::vector<std::unique_ptr<MovingSolid>>& solids() const { return solids_; }
     bool any() const { return !solids_.empty(); }
 
-    /// Local. Poses in the order of solids().
+    /// Poses in the order of solids(). Warns, once for a body, of cells so wide that air leaks
+    /// through it there. Same call on all ranks.
     void move(const std::vector<RigidPose>& poses);
 
     /// A point as the air may see it, at the poses of the last move(). Local.
@@ -31,8 +32,12 @@ public:
     Foam::tmp<Foam::volScalarField> resistance() const;
 
 private:
+    void warnOfLeak(std::size_t solid, Foam::scalar widest);
+
     const Foam::fvMesh& mesh_;
+    Foam::scalar coarsest_; // width of a cell, of all ranks [m]
     std::vector<std::unique_ptr<MovingSolid>> solids_;
+    std::vector<bool> mayLeak_; // in some cell of the mesh, and it has not been said
     std::vector<RigidPose> poses_;
     Foam::volScalarField covered_;
     Foam::volVectorField velocity_;

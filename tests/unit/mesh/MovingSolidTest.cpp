@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/laws/InputError.hpp"
 #include "coupling/mesh/MovingSolid.hpp"
+#include "tests/unit/mesh/BoxSurface.hpp"
 #include "tests/unit/mesh/MeshTest.hpp"
 
 #include "fvCFD.H"
 
-#include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 namespace interstice
 {
@@ -27,31 +26,6 @@ protected:
         covered_(Foam::IOobject("covered", "0", mesh()), mesh(), Foam::dimless),
         velocity_(Foam::IOobject("velocity", "0", mesh()), mesh(), Foam::dimVelocity)
     {}
-
-    /// Writes a box with its centre in the origin; each rank has its own file.
-    static std::string boxFile(const std::string& name, const vector& size, int triangles = 12)
-    {
-        const std::array<std::array<int, 4>, 6> faces{{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-        const std::string path = name + std::to_string(Foam::Pstream::myProcNo()) + ".stl";
-        std::ofstream file(path);
-        file.precision(17);
-        file << "solid box\n";
-        for (int t = 0; t < triangles; ++t)
-        {
-            const auto& f = faces[t/2];
-            file << "facet normal 0 0 0\nouter loop\n";
-            for (const int corner : {f[0], t % 2 ? f[2] : f[1], t % 2 ? f[3] : f[2]})
-            {
-                file << "vertex " << (corner & 1 ? 0.5 : -0.5)*size.x() << ' '
-                     << (corner & 2 ? 0.5 : -0.5)*size.y() << ' '
-                     << (corner & 4 ? 0.5 : -0.5)*size.z() << '\n';
-            }
-            file << "endloop\nendfacet\n";
-        }
-        file << "endsolid box\n";
-        return path;
-    }
 
     static MovingSolid make(const std::string& path)
     {
