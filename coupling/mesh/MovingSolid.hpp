@@ -29,6 +29,8 @@ namespace interstice
 /// whose logarithm is linear in the covered fraction, so that nothing switches when the body
 /// creeps into a cell (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
 /// 497-520; the ramp is ours).
+/// A cell that is covered by a few per cent holds its air already, so that the air sees the body
+/// larger by up to half a cell on each side (what it costs: foam_cases/dieFilling/studies).
 class MovingSolid
 {
 public:
