@@ -158,7 +158,7 @@ void CoupledPowder::toAir(const volVectorField& U, const volScalarField& nu)
     placeParcels(then);
     onMesh_->depositVolume();
     adaptDrag();
-    onMesh_->depositDrag(U, density_, nu, interval);
+    onMesh_->depositDrag(solids_->airInOpenPart(U, onMesh_->voidFraction()), density_, nu, interval);
     response_ = onMesh_->report().shortestResponse;
     clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
 }
@@ -177,7 +177,8 @@ void CoupledPowder::fromAir(const volVectorField& U, const volScalarField& nu,
     {
         StageClock::Scope timed(clock_, Stage::deposit);
         const std::vector<GasRecord> handled =
-            onMesh_->gasAtParcels(U, stressGradient, interval);
+            onMesh_->gasAtParcels(
+                solids_->airInOpenPart(U, onMesh_->voidFraction()), stressGradient, interval);
         clock_.move(Stage::deposit, Stage::smoothing, onMesh_->smoothing().takeSeconds());
         StageClock::Scope exchanging(clock_, Stage::exchange);
         exchange_->toOwners(handled, own);

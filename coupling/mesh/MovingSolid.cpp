@@ -109,7 +109,7 @@ void MovingSolid::tabulate(const fileName& path, const std::string& where)
     {
         table_.nodes[d] = 2 + static_cast<int>((high[d] - table_.low[d])/table_.spacing);
     }
-    table_.distance.reserve(std::size_t(table_.nodes[0])*table_.nodes[1]*table_.nodes[2]);
+    table_.tangents.reserve(std::size_t(table_.nodes[0])*table_.nodes[1]*table_.nodes[2]);
     // Layer by layer: the search needs thirty times the memory of what is kept.
     for (int k = 0; k < table_.nodes[2]; ++k)
     {
@@ -132,9 +132,14 @@ void MovingSolid::tabulateLayer(const triSurfaceMesh& surface, int k)
     surface.getVolumeType(nodes, side);
     forAll(nodes, n)
     {
-        const scalar distance = mag(nearest[n].hitPoint() - nodes[n]);
-        table_.distance.push_back(
-            static_cast<float>(side[n] == volumeType::INSIDE ? -distance : distance));
+        const vector away = nodes[n] - nearest[n].hitPoint();
+        const scalar distance = mag(away);
+        const scalar sign = side[n] == volumeType::INSIDE ? -1 : 1;
+        const vector slope = distance > 1e-6*table_.spacing
+            ? sign/distance*away
+            : surface.faceNormals()[nearest[n].index()];
+        table_.tangents.push_back({static_cast<float>(sign*distance), static_cast<float>(slope.x()),
+            static_cast<float>(slope.y()), static_cast<float>(slope.z())});
     }
 }
 
@@ -152,16 +157,15 @@ scalar MovingSolid::DistanceTable::at(const vector& point) const
         index[d] = static_cast<int>(x);
         f[d] = x - index[d];
     }
-    const auto value = [&](int i, int j, int k) {
-        return distance[index[0] + i + nodes[0]*(index[1] + j + nodes[1]*(index[2] + k))];
-    };
     scalar sum = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
         const int i = corner & 1;
         const int j = (corner >> 1) & 1;
         const int k = corner >> 2;
-        sum += value(i, j, k)*(i ? f[0] : 1 - f[0])*(j ? f[1] : 1 - f[1])*(k ? f[2] : 1 - f[2]);
+        const auto& t = tangents[index[0] + i + nodes[0]*(index[1] + j + nodes[1]*(index[2] + k))];
+        const scalar there = t[0] + spacing*(t[1]*(f[0] - i) + t[2]*(f[1] - j) + t[3]*(f[2] - k));
+        sum += there*(i ? f[0] : 1 - f[0])*(j ? f[1] : 1 - f[1])*(k ? f[2] : 1 - f[2]);
     }
     return sum;
 }
@@ -194,25 +198,48 @@ MovingSolid::Seen MovingSolid::outside(const RigidPose& pose, const vector& poin
     return {vector(here[0], here[1], here[2]), max(1 + distance/halfCell, scalar(0))};
 }
 
-scalar MovingSolid::cover(const RigidPose& pose, volScalarField& covered,
+scalar MovingSolid::distance(const RigidPose& pose, const vector& point) const
+{
+    const RigidPose::Vector there = pose.toReference({point.x(), point.y(), point.z()});
+    return table_.at(vector(there[0], there[1], there[2]));
+}
+
+// Eight points see an edge as it is, where the centre of the cell alone would round it.
+scalar MovingSolid::share(const RigidPose& pose, label celli) const
+{
+    const vector& centre = mesh_.C()[celli];
+    const scalar width = width_[celli];
+    const scalar depth = max(0.5 - distance(pose, centre)/width, scalar(-0.5));
+    if (depth <= -0.5 || depth > 1.5)
+    {
+        return min(depth, scalar(1));
+    }
+    scalar sum = 0;
+    for (int eighth = 0; eighth < 8; ++eighth)
+    {
+        const vector aside(eighth & 1 ? 1 : -1, eighth & 2 ? 1 : -1, eighth & 4 ? 1 : -1);
+        const scalar inEighth = 0.5 - distance(pose, centre + 0.25*width*aside)/(0.5*width);
+        sum += min(max(inEighth, scalar(0)), scalar(1));
+    }
+    return sum > 0 ? sum/8 : min(depth, scalar(0));
+}
+
+scalar MovingSolid::cover(const RigidPose& pose, scalarField& covered,
     volVectorField& velocity) const
 {
     scalar widest = 0;
     forAll(covered, celli)
     {
-        const vector& c = mesh_.C()[celli];
-        const RigidPose::Vector here{c.x(), c.y(), c.z()};
-        const RigidPose::Vector there = pose.toReference(here);
-        const scalar distance = table_.at(vector(there[0], there[1], there[2]));
-        const scalar share = min(max(0.5 - distance/width_[celli], scalar(0)), scalar(1));
-        if (share > 0 && share < 1)
+        const scalar here = share(pose, celli);
+        if (here > 0 && here < 1)
         {
             widest = max(widest, width_[celli]);
         }
-        if (share > covered[celli])
+        if (here > covered[celli])
         {
-            const RigidPose::Vector v = pose.velocityAt(here);
-            covered[celli] = share;
+            const vector& c = mesh_.C()[celli];
+            const RigidPose::Vector v = pose.velocityAt({c.x(), c.y(), c.z()});
+            covered[celli] = here;
             velocity[celli] = vector(v[0], v[1], v[2]);
         }
     }

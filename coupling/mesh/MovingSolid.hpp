@@ -6,6 +6,7 @@
 #include "fvMesh.H"
 #include "volFields.H"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,16 +22,7 @@ namespace interstice
 ///
 /// The closed surface is turned once into a table of signed distances in its own frame; at any
 /// pose, the covered fraction of a cell follows from the distance of its centre: a ramp as wide as
-/// the cell, continuous in the pose. Where cells are covered the air is held to the body's velocity
-/// by a resistance
-///
-///     sigma = (stiffness^covered - 1)/holdTime                    [1/s]
-///
-/// whose logarithm is linear in the covered fraction, so that nothing switches when the body
-/// creeps into a cell (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
-/// 497-520; the ramp is ours).
-/// A cell that is covered by a few per cent holds its air already, so that the air sees the body
-/// larger by up to half a cell on each side (what it costs: foam_cases/dieFilling/studies).
+/// the cell, continuous in the pose. What the air and the powder make of it: SolidsOnMesh.
 class MovingSolid
 {
 public:
@@ -59,26 +51,31 @@ public:
     /// meanwhile is seen on the surface. Local.
     Seen outside(const RigidPose& pose, const Foam::vector& point) const;
 
-    /// Adds this body at a pose to the covered fraction of each cell (largest body wins) and
-    /// sets the wall velocity [m/s] where it covers something. Returns the widest of the cells that
-    /// its surface crosses [m], 0 if it crosses none. Local.
-    Foam::scalar cover(const RigidPose& pose, Foam::volScalarField& covered,
+    /// Adds this body at a pose to the covered fraction of each cell (largest body wins), which
+    /// goes on below zero, to -1/2 where the surface is a whole cell from the centre; and sets the
+    /// wall velocity [m/s] where it does. Returns the widest of the cells that its surface crosses
+    /// [m], 0 if it crosses none. Local.
+    Foam::scalar cover(const RigidPose& pose, Foam::scalarField& covered,
         Foam::volVectorField& velocity) const;
 
 private:
-    /// Signed distance [m], negative inside, at the nodes of a box around the body.
+    /// Signed distance [m], negative inside, and its slope, at the nodes of a box around the body.
+    /// Between nodes, of what each of them would say if the surface were flat; so it is exact in front
+    /// of a face, and but little too deep where two faces meet.
     struct DistanceTable
     {
         Foam::vector low;
         Foam::scalar spacing;
         int nodes[3];
-        std::vector<float> distance;
+        std::vector<std::array<float, 4>> tangents; // distance, slope
 
         Foam::scalar at(const Foam::vector& point) const; ///< `far` outside the box
         Foam::vector gradient(const Foam::vector& point) const; ///< inside the body
         static constexpr Foam::scalar far = 1e30;
     };
 
+    Foam::scalar distance(const RigidPose& pose, const Foam::vector& point) const;
+    Foam::scalar share(const RigidPose& pose, Foam::label celli) const; // see cover
     void tabulate(const Foam::fileName& surface, const std::string& where);
     void tabulateLayer(const Foam::triSurfaceMesh& surface, int k);
 

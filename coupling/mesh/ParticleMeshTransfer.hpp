@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/mesh/OpenVolumes.hpp"
 #include "coupling/mesh/ParticleWeights.hpp"
 #include "coupling/mesh/Smoothing.hpp"
 
@@ -9,7 +10,7 @@ namespace interstice
 
 /// From the particles handled on this rank to densities on the mesh, and back.
 ///
-///     deposit:  density = S [ (1/V) sum_i w_i q_i ]          q any extensive quantity
+///     deposit:  density = S [ (1/V) sum_i w_i q_i ]          q any extensive quantity, V open
 ///     sample:   value_i = sum_c w_ic (S field)_c             the adjoint of deposit
 ///
 /// w: weights (DepositKernel), S: Smoothing. Being adjoint means
@@ -20,16 +21,23 @@ public:
     ParticleMeshTransfer(const Foam::fvMesh& mesh, const CellHalo& halo,
         std::unique_ptr<DepositKernel> kernel, const Smoothing& smoothing);
 
-    /// Where the particles are [m] and the cells that hold them. Local.
-    void place(const Foam::pointField& positions, const std::vector<int>& cells,
-        const Foam::scalarList& open)
+    /// Local. `open`: uncovered fraction of each cell, own and ghosts. The smoothing is closed by
+    /// its owner.
+    void close(const Foam::scalarList& open)
     {
-        weights_ = kernel_->weigh(positions, cells, open);
+        open_ = open;
+        volumes_ = openVolumes(mesh_, open);
+    }
+
+    /// Where the particles are [m] and the cells that hold them. Local.
+    void place(const Foam::pointField& positions, const std::vector<int>& cells)
+    {
+        weights_ = kernel_->weigh(positions, cells, open_);
     }
 
     const ParticleWeights& weights() const { return weights_; }
 
-    /// Collective. Density [q/m3] in each own cell; quantity(i) gives q of particle i.
+    /// Collective. Density [q/m3 of open volume] in each own cell; quantity(i) gives q of particle i.
     template<unsigned N, class Quantity>
     Foam::List<Packed<N>> deposit(const Quantity& quantity) const;
 
@@ -60,8 +68,10 @@ public:
     std::vector<Packed<N>> interpolate(Foam::List<Packed<N>>&& field) const;
 
 private:
+    const Foam::fvMesh& mesh_;
     const CellHalo& halo_;
-    const Foam::scalarField& volumes_;
+    Foam::scalarList open_; // own cells and ghosts
+    Foam::scalarField volumes_; // open
     std::unique_ptr<DepositKernel> kernel_;
     const Smoothing& smoothing_;
     ParticleWeights weights_;
@@ -70,7 +80,9 @@ private:
 inline ParticleMeshTransfer::ParticleMeshTransfer(const Foam::fvMesh& mesh, const CellHalo& halo,
     std::unique_ptr<DepositKernel> kernel, const Smoothing& smoothing)
 :
+    mesh_(mesh),
     halo_(halo),
+    open_(halo.size(), 1.0),
     volumes_(mesh.V().field()),
     kernel_(std::move(kernel)),
     smoothing_(smoothing)

@@ -34,8 +34,7 @@ public:
     virtual ~DepositKernel() = default;
 
     /// `open`: uncovered fraction of each cell, own and ghosts (see MovingSolid). A cell receives
-    /// less the more it is covered, and nothing beyond three quarters: its air can hardly move, and
-    /// powder that enters or leaves would raise pressures of any size.
+    /// in proportion to its open volume.
     virtual ParticleWeights weigh(const Foam::pointField& positions,
         const std::vector<int>& cells, const Foam::scalarList& open) const = 0;
 

@@ -63,7 +63,6 @@ PowderOnMesh::PowderOnMesh(const fvMesh& mesh, const Settings& settings,
     floor_(mesh, halo_, settings.minimumVoidFraction),
     transfer_(mesh, halo_,
         DepositKernel::New(settings.deposit, mesh, halo_, box_, settings.where), smoothing_),
-    open_(halo_.size(), 1.0),
     voidFraction_(cellField<scalar>(mesh, "powderVoidFraction", dimless, 1, IOobject::NO_WRITE)),
     drag_(cellField<scalar>(mesh, "dragCoefficient", dimDensity/dimTime, 0, IOobject::NO_WRITE)),
     dragSource_(cellField<vector>(mesh, "dragSource", dimForce/dimVolume, Zero,
@@ -78,10 +77,11 @@ void PowderOnMesh::rarefy(double meanFreePath)
 
 void PowderOnMesh::cover(const volScalarField& covered)
 {
-    open_ = 1 - covered.primitiveField();
-    halo_.toGhosts(open_);
-    smoothing_.close(open_);
-    floor_.close(open_);
+    scalarList open(1 - covered.primitiveField());
+    halo_.toGhosts(open);
+    transfer_.close(open);
+    smoothing_.close(open);
+    floor_.close(open);
 }
 
 void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<int>& cells)
@@ -93,7 +93,7 @@ void PowderOnMesh::place(std::vector<ParcelRecord>&& parcels, const std::vector<
     {
         positions[i] = toFoam(parcels_[i].position);
     }
-    transfer_.place(positions, cells_, open_);
+    transfer_.place(positions, cells_);
     smoothing_.reach(transfer_.weights().cells);
     hide();
 }

@@ -126,7 +126,6 @@ private:
     Smoothing smoothing_;
     VoidFractionFloor floor_;
     ParticleMeshTransfer transfer_;
-    Foam::scalarList open_; // uncovered fraction, own cells and ghosts
 
     std::vector<ParcelRecord> parcels_;
     std::vector<int> cells_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/mesh/Smoothing.hpp"
 
+#include "coupling/mesh/OpenVolumes.hpp"
+
 #include "PstreamReduceOps.H"
 #include "volFields.H"
 
@@ -24,6 +26,7 @@ constexpr double largestExchange = 0.4;
 Smoothing::Smoothing(const fvMesh& mesh, const CellHalo& halo, double width)
 :
     halo_(halo),
+    mesh_(mesh),
     volumes_(mesh.V().field()),
     links_(halo.links())
 {
@@ -58,21 +61,14 @@ Smoothing::Smoothing(const fvMesh& mesh, const CellHalo& halo, double width)
     close(scalarList(halo.size(), 1.0));
 }
 
-// Nothing passes a cell that is half covered. What smoothing carried into it would have to leave it as
-// it is covered further, when its wall is stiff already: the air that takes its place would come through
-// the wall. (With the open fraction itself 0.9 % of the air that left a die did, now 0.01 %.)
-double Smoothing::passage(double open)
-{
-    return std::max(0.0, 2*open - 1);
-}
-
 void Smoothing::close(const scalarList& open)
 {
+    volumes_ = openVolumes(mesh_, open);
     const std::vector<CellHalo::Link>& faces = halo_.links();
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-        links_[i].conductance =
-            perSweep_*faces[i].conductance*passage(open[faces[i].cell])*passage(open[faces[i].other]);
+        const double passage = std::min(open[faces[i].cell], open[faces[i].other]);
+        links_[i].conductance = perSweep_*faces[i].conductance*passage;
     }
     gather();
 }

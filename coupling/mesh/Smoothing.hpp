@@ -14,18 +14,17 @@ namespace interstice
 /// Gaussian exp(-r^2/b^2) (Sun & Xiao, J. Comput. Phys. 300 (2015) 161-182: D T = b^2/4).
 ///
 /// One linear operator S for every deposited field. It keeps the volume integral, never leaves
-/// the range of its input, and is its own adjoint in the volume-weighted product
+/// the range of its input, and is its own adjoint in the product weighted with open volumes
 /// (sum V a S(b) = sum V b S(a)); so sampling S(u) with the deposit's weights returns to the
-/// particles exactly the momentum that the air gives away. No flux through walls, nor through
-/// faces of covered cells.
+/// particles exactly the momentum that the air gives away. No flux through walls.
 class Smoothing
 {
 public:
     /// `width`: b [m]; zero: no smoothing.
     Smoothing(const Foam::fvMesh& mesh, const CellHalo& halo, double width);
 
-    /// Collective. `open`: uncovered fraction of each cell, own and ghosts. Nothing passes a cell that
-    /// is half covered.
+    /// Local. `open`: uncovered fraction of each cell, own and ghosts. Densities are per open volume
+    /// from now on; a face lets through what the less open of its cells does.
     void close(const Foam::scalarList& open);
 
     /// Local. From now on leaves out the cells that no sweep connects with these ones (compact indices), until the next
@@ -49,11 +48,11 @@ public:
     const std::vector<CellHalo::Link>& open() const { return links_; }
 
 private:
-    static double passage(double open);
     void gather();
 
     const CellHalo& halo_;
-    const Foam::scalarField& volumes_;
+    const Foam::fvMesh& mesh_;
+    Foam::scalarField volumes_; // open
     int sweeps_ = 0;
     double perSweep_ = 0; // diffusivity times time of one sweep [m2]
     Foam::labelListList neighbours_; // of own cells through links, compact

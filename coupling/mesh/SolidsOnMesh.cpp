@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/mesh/SolidsOnMesh.hpp"
 
+#include "coupling/mesh/OpenVolumes.hpp"
+
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -13,12 +15,18 @@ using namespace Foam;
 namespace
 {
 
-// A cell that is quite covered holds its air with stiffness/holdTime: so hard that what leaks through
-// a wall is far below the minimum fluidisation velocity. The time is a fixed one and not the time
-// step: a wall that creeps into a cell then stops the air there at the same pace, however short the
-// step, and the pressure that this takes converges.
-constexpr scalar stiffness = 1e8;
-constexpr scalar holdTime = 1e-3; // [s]
+constexpr double grip = 1e11; // on the air of a cell that is covered all over [1/s]
+constexpr double leastShown = 0.1; // of a cell, to the air that the powder meets
+constexpr double farAway = -0.5; // depth of a cell that no body is near
+
+
+// What the surface does to the shear flow along it, times h^2: a cell whose centre is outside gets the
+// velocity that a straight profile has there, one whose centre is inside next to none.
+double shear(double depth, double open)
+{
+    constexpr double leastDistance = 0.01; // cells
+    return (1/max(0.5 - depth, leastDistance) - 1)*sqr(max(0.5/open, 1.0));
+}
 
 } // namespace
 
@@ -26,6 +34,7 @@ SolidsOnMesh::SolidsOnMesh(const fvMesh& mesh)
 :
     mesh_(mesh),
     coarsest_(std::cbrt(gMax(mesh.V()))),
+    depth_(mesh.nCells(), farAway),
     covered_(IOobject("solid", mesh.time().timeName(), mesh, IOobject::NO_READ,
                  IOobject::AUTO_WRITE),
         mesh, dimensionedScalar(dimless, Zero), zeroGradientFvPatchScalarField::typeName),
@@ -53,16 +62,17 @@ MovingSolid::Seen SolidsOnMesh::outside(const vector& point) const
 void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
 {
     poses_ = poses;
-    covered_ = dimensionedScalar(dimless, Zero);
+    depth_ = farAway;
     velocity_ = dimensionedVector(dimVelocity, Zero);
     for (std::size_t i = 0; i < solids_.size(); ++i)
     {
-        const scalar widest = solids_[i]->cover(poses[i], covered_, velocity_);
+        const scalar widest = solids_[i]->cover(poses[i], depth_, velocity_);
         if (mayLeak_[i])
         {
             warnOfLeak(i, returnReduce(widest, maxOp<scalar>()));
         }
     }
+    covered_.primitiveFieldRef() = max(depth_, scalar(0));
     covered_.correctBoundaryConditions();
     velocity_.correctBoundaryConditions();
 }
@@ -80,19 +90,61 @@ void SolidsOnMesh::warnOfLeak(std::size_t solid, scalar widest)
         << "thinner than two cells. Refine the mesh along its way, or thicken it." << nl << endl;
 }
 
-tmp<volScalarField> SolidsOnMesh::resistance() const
+tmp<volScalarField> SolidsOnMesh::ofWholeCells(const volScalarField& voidFraction) const
 {
-    auto field = tmp<volScalarField>::New(IOobject("solidResistance", mesh_.time().timeName(),
-                                              mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
-        mesh_, dimensionedScalar(dimless/dimTime, Zero),
-        zeroGradientFvPatchScalarField::typeName);
-    scalarField& sigma = field.ref().primitiveFieldRef();
-    forAll(sigma, celli)
+    if (!any())
     {
-        sigma[celli] = (std::pow(stiffness, covered_[celli]) - 1)/holdTime;
+        return voidFraction;
     }
-    field.ref().correctBoundaryConditions();
-    return field;
+    auto whole = tmp<volScalarField>::New("voidFractionOfCells", voidFraction);
+    scalarField& A = whole.ref().primitiveFieldRef();
+    A = 1 - max(1 - covered_.primitiveField(), leastOpen)*(1 - A);
+    whole.ref().correctBoundaryConditions();
+    return whole;
+}
+
+tmp<volVectorField> SolidsOnMesh::airInOpenPart(const volVectorField& U,
+    const volScalarField& voidFraction) const
+{
+    if (!any())
+    {
+        return U;
+    }
+    auto air = tmp<volVectorField>::New("airInOpenPart", U);
+    forAll(covered_, celli)
+    {
+        const double c = covered_[celli];
+        if (c > 0)
+        {
+            const double left = max((1 - c)*voidFraction[celli], leastShown);
+            air.ref()[celli] += c/left*(U[celli] - velocity_[celli]);
+        }
+    }
+    return air;
+}
+
+void SolidsOnMesh::share(const volScalarField& voidFraction, const volScalarField& nu,
+    volScalarField& resistance, volVectorField& source) const
+{
+    forAll(depth_, celli)
+    {
+        if (depth_[celli] > farAway)
+        {
+            const double c = covered_[celli];
+            const double o = max(1 - c, leastOpen);
+            const double a = voidFraction[celli];
+            const double A = 1 - o*(1 - a);
+            const double h = std::cbrt(mesh_.V()[celli]);
+            const double K = resistance[celli];
+            const double viscous = nu[celli]/sqr(h);
+            const double friction = A*viscous*shear(depth_[celli], o)/(1 + K/viscous);
+            const double sigma = min(K*c*A/(o*sqr(a)) + friction, grip);
+            resistance[celli] = K*A/a + sigma;
+            source[celli] = A/a*source[celli] + sigma*velocity_[celli];
+        }
+    }
+    resistance.correctBoundaryConditions();
+    source.correctBoundaryConditions();
 }
 
 } // namespace interstice

@@ -28,10 +28,10 @@ constexpr int farthestRoom = 6;
 
 VoidFractionFloor::VoidFractionFloor(const fvMesh& mesh, const CellHalo& halo, double minimum)
 :
+    mesh_(mesh),
     halo_(halo),
     volumes_(mesh.V().field()),
-    minimum_(minimum),
-    open_(halo.size(), 1.0)
+    minimum_(minimum)
 {}
 
 VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids)
@@ -45,7 +45,7 @@ VoidFractionFloor::Report VoidFractionFloor::apply(scalarField& solids)
     double room = 0;
     forAll(solids, celli)
     {
-        room += open_[celli]*max(most - solids[celli], scalar(0))*volumes_[celli];
+        room += max(most - solids[celli], scalar(0))*volumes_[celli];
         if (solids[celli] > most)
         {
             excess[celli] = (solids[celli] - most)*volumes_[celli];
@@ -91,7 +91,8 @@ VoidFractionFloor::Pull VoidFractionFloor::pull(const scalarField& solids,
     for (label celli = 0; celli < own; ++celli)
     {
         const double room = (most - solids[celli])*volumes_[celli];
-        result.of[celli][0] = open_[celli]*(room + behind[celli]);
+        const bool closed = volumes_[celli] < 2*leastOpen*mesh_.V()[celli];
+        result.of[celli][0] = closed ? 0 : room + behind[celli];
     }
     halo_.toGhosts(result.of);
     const auto draw = [&](label cell, label other)

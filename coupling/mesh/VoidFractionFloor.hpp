@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/mesh/CellHalo.hpp"
+#include "coupling/mesh/OpenVolumes.hpp"
 
 namespace interstice
 {
@@ -25,11 +26,10 @@ public:
     /// `minimum`: smallest void fraction allowed, in (0, 1).
     VoidFractionFloor(const Foam::fvMesh& mesh, const CellHalo& halo, double minimum);
 
-    /// Local. `open`: uncovered fraction of each cell (see MovingSolid); no powder is handed into
-    /// a solid.
-    void close(const Foam::scalarList& open) { open_ = open; }
+    /// Local. `open`: uncovered fraction of each cell; solids are per open volume from now on.
+    void close(const Foam::scalarList& open) { volumes_ = openVolumes(mesh_, open); }
 
-    /// Collective. `solids`: volume fraction of powder, nCells long; changed in place.
+    /// Collective. `solids`: fraction of powder in the open volume, nCells long; changed in place.
     Report apply(Foam::scalarField& solids);
 
     /// Collective. The adjoint of the last apply() as a map of volumes: of `values` (intensities, nCells
@@ -68,10 +68,10 @@ private:
     Pull pull(const Foam::scalarField& solids, const Foam::scalarField& behind) const;
     double spread(Foam::scalarField& solids, Foam::scalarField& excess, Foam::scalarField& behind);
 
+    const Foam::fvMesh& mesh_;
     const CellHalo& halo_;
-    const Foam::scalarField& volumes_;
+    Foam::scalarField volumes_; // open
     double minimum_;
-    Foam::scalarList open_;
     std::vector<CellShare> handedOn_; // of what was deposited
     std::vector<Round> rounds_;
 };

@@ -193,9 +193,9 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
     alphaPhi_.oldTime();
 }
 
-void AirFlow::start(const PowderOnMesh& powder)
+void AirFlow::start(const PowderOnMesh& powder, const SolidsOnMesh& solids)
 {
-    alpha_ == powder.voidFraction();
+    alpha_ == solids.ofWholeCells(powder.voidFraction());
     alpha_.oldTime() == alpha_;
     phi_ = fvc::flux(U_);
     alphaPhi_ = fvc::interpolate(alpha_)*phi_;
@@ -227,17 +227,16 @@ void AirFlow::resume()
 void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
 {
     const dimensionedScalar rho("rho", dimDensity, density_);
-    alpha_ == powder.voidFraction();
+    alpha_ == solids.ofWholeCells(powder.voidFraction());
     ddtAlpha_ = (alpha_ - alpha_.oldTime())/mesh_.time().deltaT();
 
     resistance_ = powder.dragCoefficient()/rho;
-    source_ = powder.dragSource()/rho + alpha_*(gravity_ + bodyForce_);
+    source_ = powder.dragSource()/rho;
     if (solids.any())
     {
-        const volScalarField hold(solids.resistance());
-        resistance_ += hold;
-        source_ += hold*solids.velocity();
+        solids.share(powder.voidFraction(), turbulence_->nuEff(), resistance_, source_);
     }
+    source_ += alpha_*(gravity_ + bodyForce_);
     report_.pressureIterations = 0;
     report_.spreadSource = 0;
 }

@@ -48,7 +48,7 @@ public:
     const Report& report() const { return report_; }
 
     /// Void fraction to start from. Collective, once.
-    void start(const PowderOnMesh& powder);
+    void start(const PowderOnMesh& powder, const SolidsOnMesh& solids);
 
     /// Instead of start(): goes on with the fields of the start time. Throws InputError if one is
     /// missing. Collective, once.

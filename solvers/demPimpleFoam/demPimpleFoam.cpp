@@ -33,7 +33,7 @@ static int run(argList& args)
     }
     else
     {
-        air.start(powder.onMesh());
+        air.start(powder.onMesh(), powder.solids());
     }
     if (!powder.movesAir())
     {

@@ -42,8 +42,7 @@ public:
         halo_(mesh_),
         locator_(mesh_),
         smoothing_(mesh_, halo_, widthInCells*std::cbrt(mesh_.V()[0])),
-        transfer_(mesh_, halo_, DepositKernel::New("kernel", mesh_, halo_, box_, ""), smoothing_),
-        open_(halo_.size(), 1.0)
+        transfer_(mesh_, halo_, DepositKernel::New("kernel", mesh_, halo_, box_, ""), smoothing_)
     {
         scatter();
         weigh();
@@ -62,7 +61,7 @@ public:
         benchmark::DoNotOptimize(sum);
     }
 
-    void weigh() { transfer_.place(positions_, cells_, open_); }
+    void weigh() { transfer_.place(positions_, cells_); }
 
     void deposit()
     {
@@ -108,7 +107,6 @@ private:
     CellLocator locator_;
     Smoothing smoothing_;
     ParticleMeshTransfer transfer_;
-    Foam::scalarList open_;
     Foam::pointField positions_;
     std::vector<SearchPoint> points_;
     std::vector<int> cells_;

@@ -16,7 +16,8 @@ BLOCK = [(x, y, z) for x in range(-22, 30, 4) for y in (-4, 0, 4) for z in range
 
 
 def putPowder(folder):
-    """Parcels at rest in front of the shoe's wall, in it and behind it; nothing holds them."""
+    """Parcels at rest in front of the shoe's wall, in it and behind it; nothing holds them, and some
+    rise with the air that makes way."""
     atoms = "\n".join(f"create_atoms 1 single {1e-4*x:g} {1e-4*y:g} {1e-4*z:g} units box"
                       for x, y, z in BLOCK)
     script = folder/"shoe.in"
@@ -28,7 +29,7 @@ variable pace atom sqrt(vx*vx+vy*vy+vz*vz)
 compute  fast all reduce max v_pace
 fix      fastest all ave/time 1 1 20 c_fast file ${case}/fastest
 thermo  """, 1)
-    script.write_text(text)
+    script.write_text(text.replace("-5e-3 8e-3 units box", "-5e-3 20e-3 units box"))
     control = folder/"system/controlDict"
     control.write_text(control.read_text().replace(
         "functions\n{", "functions\n{\n    powderBalance { type powderBalance; }", 1))

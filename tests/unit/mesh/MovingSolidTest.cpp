@@ -55,7 +55,7 @@ protected:
     {
         covered_.primitiveFieldRef() = 0;
         velocity_.primitiveFieldRef() = Foam::Zero;
-        solid.cover(pose, covered_, velocity_);
+        solid.cover(pose, covered_.primitiveFieldRef(), velocity_);
     }
 
     scalar coveredVolume() const
@@ -223,7 +223,7 @@ TEST_F(MovingSolidTest, LeavesCellsThatAnotherBodyCoversMoreToThatOne)
     RigidPose pose = posed(middle());
     pose.velocity = {0, 0, 2};
 
-    solid.cover(pose, covered_, velocity_);
+    solid.cover(pose, covered_.primitiveFieldRef(), velocity_);
 
     EXPECT_EQ(Foam::gMin(covered_.primitiveField()), 0.5);
     forAll(covered_, cell)

@@ -20,23 +20,23 @@ public:
         ground_(ground),
         smoothing_(ground.mesh, ground.halo, smoothingWidth),
         transfer_(ground.mesh, ground.halo,
-            DepositKernel::New(kernel, ground.mesh, ground.halo, ground.box, ""), smoothing_),
-        open_(ground.halo.size(), 1.0)
+            DepositKernel::New(kernel, ground.mesh, ground.halo, ground.box, ""), smoothing_)
     {}
 
     /// Collective. `open` of own cells.
     void close(const Foam::scalarField& open)
     {
-        open_ = open;
-        ground_.halo.toGhosts(open_);
-        smoothing_.close(open_);
+        Foam::scalarList everywhere(open);
+        ground_.halo.toGhosts(everywhere);
+        smoothing_.close(everywhere);
+        transfer_.close(everywhere);
     }
 
     /// Collective.
     void place(const std::vector<Foam::point>& all)
     {
         handled_ = handle(ground_, all);
-        transfer_.place(handled_.positions, handled_.cells, open_);
+        transfer_.place(handled_.positions, handled_.cells);
     }
 
     /// Collective. q of particle i of the list, as a density [q/m3].
@@ -61,7 +61,6 @@ private:
     const Ground& ground_;
     Smoothing smoothing_;
     ParticleMeshTransfer transfer_;
-    Foam::scalarList open_;
     Handled handled_;
 };
 

@@ -215,22 +215,30 @@ TEST_F(SmoothingTest, LetsNothingThroughCoveredCells)
     EXPECT_GT(largest(after - before), 0.01);
 }
 
-// A quarter covered on both sides of a face: half of half passes. Half covered: nothing.
-TEST_F(SmoothingTest, IsShutByHalfCoveredCells)
+// Densities per open volume: where a solid cuts cells, at any share, an even bed stays even, what the
+// open volumes hold is kept, nothing leaves its range, and the operator is its own adjoint.
+TEST_F(SmoothingTest, KeepsToTheOpenVolumesOfCutCells)
 {
+    scalarField open(mesh().nCells());
+    forAll(open, cell)
+    {
+        open[cell] = std::min(1.0, std::max(0.0, 2.6 - 0.4e3*mesh().C()[cell].x()));
+    }
     Smoothing smoothing = make();
-    const std::vector<CellHalo::Link> before = smoothing.open();
-    close(smoothing, scalarField(mesh().nCells(), 0.75));
-    for (std::size_t i = 0; i < before.size(); ++i)
-    {
-        ASSERT_NEAR(smoothing.open()[i].conductance, 0.25*before[i].conductance,
-            1e-15*before[i].conductance);
-    }
-    close(smoothing, scalarField(mesh().nCells(), 0.5));
-    for (const CellHalo::Link& link : smoothing.open())
-    {
-        ASSERT_EQ(link.conductance, 0);
-    }
+    close(smoothing, open);
+    const scalarField volume(Foam::max(open, 1e-6));
+    const scalarField a = rough();
+    const scalarField b(a*a);
+
+    const scalarField even = smooth(smoothing, scalarField(mesh().nCells(), 0.6));
+    EXPECT_LT(largest(even - 0.6), 1e-14);
+    const scalarField smoothA = smooth(smoothing, a);
+    const scalarField smoothB = smooth(smoothing, b);
+    EXPECT_NEAR(total(volume*smoothA), total(volume*a), 1e-12*total(a));
+    EXPECT_NEAR(total(volume*b*smoothA), total(volume*a*smoothB), 1e-12*total(a));
+    EXPECT_GE(Foam::gMin(smoothA), Foam::gMin(a));
+    EXPECT_LE(Foam::gMax(smoothA), Foam::gMax(a));
+    EXPECT_GT(largest(smoothA - a), 0.1);
 }
 
 // Seen from there as smooth as if all had been smoothed; and what was there alone is smoothed everywhere.

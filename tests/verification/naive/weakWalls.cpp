@@ -3,17 +3,17 @@
 // Naive: the air is held by a solid as by a sponge, in a time of milliseconds.
 #include "coupling/mesh/SolidsOnMesh.hpp"
 
-#include "zeroGradientFvPatchFields.H"
-
 namespace interstice
 {
 
 using namespace Foam;
 
-tmp<volScalarField> SolidsOnMesh::resistance() const
+void SolidsOnMesh::share(const volScalarField&, const volScalarField&, volScalarField& resistance,
+    volVectorField& source) const
 {
-    return tmp<volScalarField>::New(
-        "solidResistance", covered_*dimensionedScalar("grip", dimless/dimTime, scalar(1000)));
+    constexpr double grip = 1000; // [1/s]
+    resistance.primitiveFieldRef() += grip*covered_;
+    source.primitiveFieldRef() += grip*covered_.primitiveField()*velocity_;
 }
 
 } // namespace interstice
