@@ -19,7 +19,6 @@ constexpr double grip = 1e11; // on the air of a cell that is covered all over [
 constexpr double leastShown = 0.1; // of a cell, to the air that the powder meets
 constexpr double farAway = -0.5; // depth of a cell that no body is near
 
-
 // What the surface does to the shear flow along it, times h^2: a cell whose centre is outside gets the
 // velocity that a straight profile has there, one whose centre is inside next to none.
 double shear(double depth, double open)
