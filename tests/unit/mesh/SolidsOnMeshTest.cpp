@@ -8,7 +8,10 @@ namespace interstice
 namespace
 {
 
+using Foam::scalar;
 using Foam::vector;
+using Foam::volScalarField;
+using Foam::volVectorField;
 
 class SolidsOnMeshTest : public MeshTest
 {
@@ -19,6 +22,37 @@ protected:
         pose.translation = {centre.x(), centre.y(), centre.z()};
         return pose;
     }
+
+    /// A body of 2 mm in the room above the funnel, turned by nothing and on its way.
+    static void putBody(SolidsOnMesh& solids)
+    {
+        solids.add(std::make_unique<MovingSolid>(
+            mesh(), "shoe", boxFile("twoMillimetres", vector(2e-3, 2e-3, 2e-3)), "here"));
+        RigidPose pose = at(vector(2.13e-3, 2.05e-3, 5.21e-3));
+        pose.velocity = {wall.x(), wall.y(), wall.z()};
+        solids.move({pose});
+    }
+
+    template<class Type>
+    static Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh> uniform(
+        const Foam::dimensionSet& dimensions, const Type& value)
+    {
+        return {Foam::IOobject("uniform", "0", mesh()), mesh(),
+            Foam::dimensioned<Type>("value", dimensions, value)};
+    }
+
+    /// Between 0.4 and 1.
+    static volScalarField someVoidFraction()
+    {
+        volScalarField field = uniform(Foam::dimless, scalar(1));
+        forAll(field, cell)
+        {
+            field[cell] = 0.7 + 0.3*std::sin(5e3*mesh().C()[cell].x());
+        }
+        return field;
+    }
+
+    inline static const vector wall{0.15, 0, -0.02};
 
     /// What the log says of a move.
     static std::string said(SolidsOnMesh& solids, const vector& centre)
@@ -53,6 +87,57 @@ TEST_F(SolidsOnMeshTest, SaysNothingOfABodyThickEnough)
         mesh(), "shoe", boxFile("twoMillimetres", vector(2e-3, 2e-3, 2e-3)), "here"));
 
     EXPECT_EQ(said(solids, vector(1e-3, 2e-3, 5e-3)), "");
+}
+
+// Of a cell, body and air take what they take: A U = c U_w + o a u, wherever a tenth of it is left to air.
+TEST_F(SolidsOnMeshTest, SharesTheFluxOfACellBetweenBodyAndAir)
+{
+    SolidsOnMesh solids(mesh());
+    putBody(solids);
+    const volScalarField a = someVoidFraction();
+    const volScalarField A(solids.ofWholeCells(a));
+    const vector U(-0.3, 0.1, 0.2);
+    const volVectorField u(solids.airInOpenPart(uniform(Foam::dimVelocity, U), a));
+    int cut = 0;
+    forAll(u, cell)
+    {
+        const scalar c = solids.covered()[cell];
+        const scalar air = (1 - c)*a[cell];
+        cut += c > 0 && c < 1;
+        ASSERT_NEAR(A[cell], c + air, 2e-6);
+        if (air > 0.1)
+        {
+            ASSERT_LT(Foam::mag(A[cell]*U - c*wall*(c > 0 ? 1 : 0) - air*u[cell]), 1e-12);
+        }
+    }
+    EXPECT_GT(Foam::returnReduce(cut, Foam::sumOp<int>()), 20);
+}
+
+// Where powder and body move alike, so do they draw the air; a cell that is quite covered is held by the body, one
+// that is far away by the powder alone.
+TEST_F(SolidsOnMeshTest, DrawsTheAirToWhereBodyAndPowderGo)
+{
+    SolidsOnMesh solids(mesh());
+    putBody(solids);
+    const scalar K = 1e5; // over density [1/s]
+    volScalarField resistance = uniform(Foam::dimless/Foam::dimTime, K);
+    volVectorField source = uniform(Foam::dimAcceleration, vector(K*wall));
+
+    solids.share(someVoidFraction(), uniform(Foam::dimViscosity, scalar(1.5e-5)), resistance, source);
+
+    forAll(resistance, cell)
+    {
+        ASSERT_LT(Foam::mag(source[cell] - resistance[cell]*wall), 1e-12*Foam::mag(source[cell]));
+        ASSERT_GE(resistance[cell], K);
+        if (solids.covered()[cell] == 1)
+        {
+            ASSERT_GT(resistance[cell], 1e10);
+        }
+        if (Foam::mag(mesh().C()[cell] - vector(2e-3, 2e-3, 5e-3)) > 3e-3)
+        {
+            ASSERT_EQ(resistance[cell], K);
+        }
+    }
 }
 
 } // namespace
