@@ -71,7 +71,7 @@ public:
     void rarefy(double meanFreePath);
     bool rarefied() const { return rarefied_; }
 
-    /// Collective. Covered fraction of each cell; closes cells to powder and smoothing.
+    /// Collective. Covered fraction of each cell: powder and its densities are of what is left open.
     void cover(const Foam::volScalarField& covered);
 
     /// Parcels handled here and their cells, of this step. Local.
@@ -101,6 +101,7 @@ public:
         return transfer_.sample(std::move(cells));
     }
 
+    /// These three of the open volumes of cells (SolidsOnMesh).
     const Foam::volScalarField& voidFraction() const { return voidFraction_; }
     const Foam::volScalarField& dragCoefficient() const { return drag_; } ///< sum b/V [kg/m3/s]
     /// Sum of b v/V, and of what the powder still has to give [N/m3].
