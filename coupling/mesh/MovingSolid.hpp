@@ -21,8 +21,9 @@ namespace interstice
 /// A rigid body that moves through a static mesh, as the air sees it.
 ///
 /// The closed surface is turned once into a table of signed distances in its own frame; at any
-/// pose, the covered fraction of a cell follows from the distance of its centre: a ramp as wide as
-/// the cell, continuous in the pose. What the air and the powder make of it: SolidsOnMesh.
+/// pose, the covered fraction of a cell is the mean of eight points' in it, each a ramp of the
+/// distance as wide as an eighth of the cell: in front of a flat surface along the mesh one ramp as wide
+/// as the cell, and continuous in the pose. What the air and the powder make of it: SolidsOnMesh.
 class MovingSolid
 {
 public:

@@ -13,7 +13,7 @@ namespace interstice
 ///     deposit:  density = S [ (1/V) sum_i w_i q_i ]          q any extensive quantity, V open
 ///     sample:   value_i = sum_c w_ic (S field)_c             the adjoint of deposit
 ///
-/// w: weights (DepositKernel), S: Smoothing. Being adjoint means
+/// w: weights (DepositKernel), S: Smoothing, V: open volumes. Being adjoint means
 /// sum_c V field_c density_c = sum_i q_i value_i, to round-off, on any ranks.
 class ParticleMeshTransfer
 {
