@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails when an include points the wrong way between the rooms, or when a file has grown too long.
+"""Fails when an include points the wrong way between the rooms, when a file has grown too long,
+or when a page points at nothing.
 
 usage: architectureTest.py <root of the repository>
 """
@@ -45,6 +46,16 @@ def complaints(root):
                     yield from wrongArrows(name, lines)
 
 
+def deadLinks(root):
+    """Of the pages in the repository; what a build made has none of ours."""
+    for page in sorted(root.rglob("*.md")):
+        name = page.relative_to(root)
+        if name.parts[0] != "build" and "results" not in name.parts:
+            for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
+                if not (page.parent / target).exists():
+                    yield f"{name.as_posix()}: there is no {target}"
+
+
 def wrongArrows(name, lines):
     room = "/".join(name.split("/")[:2]) if re.match(r"coupling/\w+/", name) else None
     if room and room not in ARROWS:
@@ -68,6 +79,7 @@ def wrongArrows(name, lines):
             yield f"{here}: solvers see the front of the library (coupling/*.hpp) only"
 
 
-found = list(complaints(Path(sys.argv[1])))
-print("\n".join(found) or "Every include points the right way, and no file is too long.")
+root = Path(sys.argv[1])
+found = [*complaints(root), *deadLinks(root)]
+print("\n".join(found) or "Every include points the right way, no file is too long, and no link is dead.")
 sys.exit(bool(found))

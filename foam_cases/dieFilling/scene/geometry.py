@@ -131,7 +131,7 @@ def parcels(p, d, die, sizes):
 
 
 def tellOfNoise(p, d):
-    """Single parcels move the air if their volume is not spread far enough: studies/README.md."""
+    """Single parcels move the air if their volume is not spread far enough: studies/accuracy.md."""
     kernel = 2*p["cellSize"] if p["deposit"] == "kernel" else 0
     spread = (kernel + d["smoothingWidth"])/d["parcelDiameter"]
     if p["air"] != "off" and d["parcelDiameter"] > 0 and spread < LEAST_SPREAD - 1e-9:
