@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads a study's table as choices of the numerics: what each is worth, and what it takes.
 
-A *knob* is a parameter that some variants change alone against the reference. Standard errors of
-few packings are hardly known themselves, so that all rows' scatter is taken together. Of some
-measures the *exact* answer is known: the case says so, or the user. Time is that of the solver, if the
-table tells it: whether a bed had to be poured anew for a variant is no matter of its knob.
+A *knob* is a parameter that some variants change alone against the reference; of parameters that are
+changed in step, the first stands for all. Standard errors of few packings are hardly known
+themselves, so that all rows' scatter is taken together. Of some measures the *exact* answer is
+known: the case says so, or the user. Time is that of the solver, if the table tells it: whether a bed
+had to be poured anew for a variant is no matter of its knob.
 """
 import math
 from dataclasses import dataclass, field
@@ -32,7 +33,7 @@ class Choices:
     """The variants of a table, the reference among them, and the knobs."""
 
     def __init__(self, table, reference=(), measures=None, knobs=None, trustErrors=False,
-                 exact=None):
+                 exact=None, inStep=()):
         self.table = table
         for column in ("variant", "status", "seconds"):
             if column not in table.columns:
@@ -47,6 +48,7 @@ class Choices:
         for variant in self.variants:
             variant.changes = {key: value for key, value in variant.parameters.items()
                                if value != self.reference.parameters[key]}
+        self.followLeader(inStep)
         self.knobs = self.chosenKnobs(knobs)
         if knobs:
             self.variants = [variant for variant in self.variants
@@ -122,6 +124,19 @@ class Choices:
             return sum(differences(one, other) == 1 for other in self.variants)
         counts = [around(variant) for variant in self.variants]
         return self.table.rows[counts.index(max(counts))]
+
+    def followLeader(self, inStep):
+        for key in inStep:
+            self.table.known(key)
+        seen = {}
+        for variant in self.variants:
+            if len(inStep) > 1 and inStep[0] in variant.changes:
+                variant.changes = {key: value for key, value in variant.changes.items()
+                                   if key not in inStep[1:]}
+                other = seen.setdefault(tuple(variant.changes.items()), variant.label)
+                if other != variant.label:
+                    raise BadInput(f"--inStep {' '.join(inStep)}: '{other}' and '{variant.label}' in {self.table.name} "
+                                   f"have the same {inStep[0]}, so that these do not change in step; leave it out.")
 
     def chosenKnobs(self, wanted):
         found = {}

@@ -108,6 +108,26 @@ class Richardson(unittest.TestCase):
         self.assertEqual((fit.limitError, fit.chiSquare, fit.errorOf(1)[1]), (None, None, None))
 
 
+class ParametersChangedInStep(Tables):
+    """cellSize halves as smoothingDiameters doubles, and y = 0.6 + 100 cellSize."""
+    ROWS = [row(0.66), row(0.65, cellSize=5e-4, smoothingDiameters=2.4),
+            row(0.64, cellSize=4e-4, smoothingDiameters=3), row(0.62, smoothingDiameters=4)]
+
+    def testAreOneKnobOfTheFirst(self):
+        choices = self.choices(self.ROWS, inStep=("cellSize", "smoothingDiameters"))
+        self.assertEqual({key: [v.changes[key] for v in variants] for key, variants in choices.knobs.items()},
+                         {"cellSize": [4e-4, 5e-4], "smoothingDiameters": [4]})
+        limit = accuracyJudge.fits(choices, "filling", {"cellSize": 1})["cellSize"].limit
+        self.assertAlmostEqual(limit, 0.6, 9)
+
+    def testAreRefusedIfTheyDoNotChangeInStep(self):
+        rows = [*self.ROWS, row(0.7, cellSize=5e-4)]
+        with self.assertRaisesRegex(BadInput, "--inStep .*have the same cellSize"):
+            self.choices(rows, inStep=("cellSize", "smoothingDiameters"))
+        with self.assertRaisesRegex(BadInput, "no column or group 'cellsize'.*cellSize"):
+            self.choices(rows, inStep=("cellsize",))
+
+
 class Differences(Tables):
     def testAreResolvedAboveTwiceTheirCombinedError(self):
         """sqrt(3^2 + 4^2) = 5, in thousandths."""
