@@ -25,24 +25,9 @@ import uniformity
 from picture import blue as withAir
 from picture import grey, plt, save
 from picture import red as noAir
-from runFolder import cells, derived, instants, parcels
+from runFolder import cells, derived, instants, parcels, starts, stations, table
 
 twin = case/"variants/noAir"
-
-
-def table(folder, name):
-    """Columns of a function object's table, or None."""
-    rows = None
-    for start, path in starts(folder, f"{name}/*/{name}.dat"):
-        new = np.loadtxt(path, ndmin=2)
-        rows = new if rows is None else np.concatenate([rows[rows[:, 0] <= start], new])
-    return rows
-
-
-def starts(folder, pattern):
-    """Files of each start of a run that was resumed, in their order: (start time, path)."""
-    found = (folder/"postProcessing").glob(pattern)
-    return sorted((float(path.parent.name), path) for path in found)
 
 
 def moments(folder):
@@ -75,15 +60,6 @@ def filling(d):
     lower.set(ylabel="powder into the die [mm³/s]", xlabel="time [ms]")
     lower.set_ylim(bottom=min(0, lower.get_ylim()[0]))
     save(fig, case, "filling.png")
-
-
-def stations(d):
-    """When the shoe's walls pass the edges of the die."""
-    length, front, rear = d["dieLength"], d["shoeXHigh"], d["shoeXLow"]
-    passed = ((-front, "front wall reaches the die"), (length - front, "front wall has crossed"),
-              (-rear, "rear wall reaches the die"), (length - rear, "rear wall has crossed"))
-    moments = [(d["path"].when(travel), text) for travel, text in passed]
-    return [(time, text) for time, text in moments if time is not None]
 
 
 def sections(d):

@@ -24,6 +24,7 @@ program = loaded(PROGRAM)  # which makes the modules below known
 
 import criticalSize
 import matplotlib.pyplot as plt
+import numpy as np
 import surface
 import tableFile
 from surface import cloud
@@ -287,6 +288,49 @@ class Surface(Folder):
         self.refused("coarseGraining.yaml with 'keep: yes'", GRID, "surface")
         table = self.kept([("a", 10, "on", -4e-3), ("b", 10, "off", -3e-3)])
         self.refused("differ in air: choose by --where air=VALUE", table, "surface")
+
+
+class OverTime(Folder):
+    """Runs of 0.1 s in which the ratio rises evenly, and powder flows as it does."""
+
+    def kept(self, runs):
+        rows = [{"id": name, "variant": f"k{k}", "coarseGraining": k, "seed": name, "packing": 1, "status": "ok"}
+                for name, k, _ in runs]
+        self.write(rows, "runs.csv")
+        (self.work/"plan.json").write_text(json.dumps(dict(study="cg", case=str(self.work))))
+        for name, _, end in runs:
+            home = self.work/f"variants/cg.{name}"
+            (home/"system").mkdir(parents=True)
+            (home/"system/caseParameters").write_text("FoamFile { }\nshoeSpeed 0.15; rampTime 0.01; dieLength 8e-3;\n")
+            (home/"system/caseDerived").write_text("shoeXHigh -2.5e-3; shoeXLow -14.5e-3;\n")
+            for table, head, last in (("fillingRatio", "fillingRatio", end), ("dieFlowRate", "flowRate", 1e-6*end)):
+                (home/f"postProcessing/{table}/0").mkdir(parents=True)
+                lines = [f"{0.001*i} {last*i/100}" for i in range(101)]
+                (home/f"postProcessing/{table}/0/{table}.dat").write_text(f"# time {head}\n" + "\n".join(lines))
+        return [dict(row(), variant=one["variant"], coarseGraining=one["coarseGraining"]) for one in rows]
+
+    def testIsDrawnForEachVariant(self):
+        """60 and 70 %: 65 +- 5 at the end, 32.5 at half the time, with a flow of 325 mm3/s."""
+        upper, lower = self.drawn(self.kept([("a", 10, 0.6), ("b", 10, 0.7), ("c", 5, 0.8)])[1:],
+                                  "fillingOverTime").axes
+        lines = {line.get_label(): line for line in upper.lines}
+        self.assertEqual([name for name in lines if not name.startswith("_")], ["coarse graining = 10", "coarse graining = 5"])
+        for axes, factor in ((upper, 1), (lower, 10)):
+            t, y = axes.lines[0].get_data()
+            self.assertAlmostEqual(float(np.interp(50, t, y)), 32.5*factor, 6)
+        self.assertAlmostEqual(upper.lines[0].get_ydata()[-1], 65, 6)
+        band = upper.collections[0].get_paths()[0].vertices
+        self.assertAlmostEqual(band[:, 1].max(), 70, 6)
+
+    def testShowsWhenTheWallsPass(self):
+        """The front wall, 2.5 mm before the die: 2.5/0.15 + 10/2 = 21.67 ms."""
+        upper = self.drawn(self.kept([("a", 10, 0.6)]), "fillingOverTime").axes[0]
+        self.assertTrue(any(abs(line.get_xdata()[0] - 21.6667) < 1e-3 for line in upper.lines))
+
+    def testThatCannotBeDrawn(self):
+        table = self.kept([("a", 10, 0.6)])
+        (self.work/"variants/cg.a/postProcessing/dieFlowRate/0/dieFlowRate.dat").unlink()
+        self.refused("has no postProcessing/fillingRatio or dieFlowRate: run that variant again", table, "fillingOverTime")
 
 
 class AirSensitivity(Folder):

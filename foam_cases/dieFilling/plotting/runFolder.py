@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands in the folder of a run: its numbers, and air and powder at the instants that were kept."""
+"""What stands in the folder of a run: its numbers and tables, and air and powder at the instants that were kept."""
 import re
 from xml.etree import ElementTree
 
@@ -20,6 +20,30 @@ def derived(folder):
 def shoeAt(d, t):
     """Travel [m]."""
     return (d.get("path") or shoePath.Ramped(d)).at(t)
+
+
+def stations(d):
+    """When the shoe's walls pass the edges of the die."""
+    length, front, rear = d["dieLength"], d["shoeXHigh"], d["shoeXLow"]
+    passed = ((-front, "front wall reaches the die"), (length - front, "front wall has crossed"),
+              (-rear, "rear wall reaches the die"), (length - rear, "rear wall has crossed"))
+    moments = [(d["path"].when(travel), text) for travel, text in passed]
+    return [(time, text) for time, text in moments if time is not None]
+
+
+def table(folder, name):
+    """Columns of a function object's table, or None."""
+    rows = None
+    for start, path in starts(folder, f"{name}/*/{name}.dat"):
+        new = np.loadtxt(path, ndmin=2)
+        rows = new if rows is None else np.concatenate([rows[rows[:, 0] <= start], new])
+    return rows
+
+
+def starts(folder, pattern):
+    """Files of each start of a run that was resumed, in their order: (start time, path)."""
+    found = (folder/"postProcessing").glob(pattern)
+    return sorted((float(path.parent.name), path) for path in found)
 
 
 def instants(folder, name="VTK"):

@@ -128,6 +128,8 @@ FIGURES = {
     "surface": OfItsOwn("17", "surface in the die, for each k", "surface", "coarseGraining.yaml"),
     "criticalSize": Critical("18", "critical d_p/h_D against v rho_g L_D/mu_g, beside Eq 21"),
     "predicted": Critical("19", "critical d_p/h_D, predicted against measured", predicted=True),
+    "fillingOverTime": OfItsOwn("-", "not of that study: filling ratio and powder flow over time", "fillingOverTime",
+                                "coarseGraining.yaml"),
     "airSensitivity": OfItsOwn("-", "not of that study: filling ratio with and without air against d_p", "airSensitivity",
                                "airSensitivity.yaml"),
 }
