@@ -7,11 +7,10 @@ import math
 
 import numpy as np
 
+import resolution
 import shoePath
 import stl
 from wrong import refuse
-
-LEAST_SPREAD = 4.5  # of a parcel's volume, in its diameters
 
 
 def rig(p, path=None):
@@ -122,22 +121,13 @@ def parcels(p, d, die, sizes):
     d["airVolume"] = (d["xHigh"] - d["xLow"])*(d["yHigh"] - d["yLow"])*d["zHigh"] + cavity
     d["referenceParcels"] = round(0.58*(2e-3*base + cavity)/parcel)
     d["smoothingWidth"] = p["smoothingDiameters"]*d["parcelDiameter"]
-    tellOfNoise(p, d)
+    d["parcelShare"] = resolution.parcelShare(p, d["parcelDiameter"])
+    resolution.tell(p, d)
     if sizes:
         d["sauterDiameter"] = sizes.sauter()
         d["meanVolumeDiameter"] = sizes.meanVolume()
         d["meanVolumeRadius"] = 0.5*k*sizes.meanVolume()
         d["smallestRadius"], d["largestRadius"] = 0.5*k*sizes.diameters[[0, -1]]
-
-
-def tellOfNoise(p, d):
-    """Single parcels move the air if their volume is not spread far enough: studies/accuracy.md."""
-    kernel = 2*p["cellSize"] if p["deposit"] == "kernel" else 0
-    spread = (kernel + d["smoothingWidth"])/d["parcelDiameter"]
-    if p["air"] != "off" and d["parcelDiameter"] > 0 and spread < LEAST_SPREAD - 1e-9:
-        print(f"WARNING: a parcel's volume is spread over {spread:.2g} of its diameters (kernel and smoothing together): below "
-              f"{LEAST_SPREAD:g} parcels pump air that the powder would not. smoothingDiameters "
-              f"{LEAST_SPREAD + 0.5 - kernel/d['parcelDiameter']:.2g} would do.")
 
 
 def point(*x):

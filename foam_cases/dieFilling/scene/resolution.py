@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the sizes of parcels and cells make of a result, as far as it is known before a run: studies/accuracy.md."""
+
+LEAST_SPREAD = 4.5  # of a parcel's volume, in its diameters
+SHARE_TOLD = 0.95
+
+
+def parcelShare(p, parcelDiameter):
+    """What parcels let through the mouth over what grains do: an opening is narrower by 1.4 of them, and the flow goes as
+    the power 5/2 [W. A. Beverloo, H. A. Leniger & J. van de Velde, Chem. Eng. Sci. 15 (1961) 260-269, eq. 9]."""
+    def through(diameter):
+        return max(0, 1 - 1.4*diameter/p["dieLength"])**2.5
+    grains = through(parcelDiameter/p["coarseGraining"])
+    return through(parcelDiameter)/grains if grains > 0 else 0
+
+
+def spread(p, d):
+    """Of a parcel's volume on the air, by kernel and smoothing together, in its diameters."""
+    return (kernel(p) + d["smoothingWidth"])/d["parcelDiameter"]
+
+
+def kernel(p):
+    return 2*p["cellSize"] if p["deposit"] == "kernel" else 0
+
+
+def tell(p, d):
+    if not d["parcelDiameter"] > 0:
+        return
+    if d["parcelShare"] < SHARE_TOLD:
+        print(f"Parcels of {1e3*d['parcelDiameter']:.3g} mm: {100*d['parcelShare']:.0f} % of what grains do passes a mouth of "
+              f"{1e3*p['dieLength']:.3g} mm (Beverloo's law). Compare runs with the same parcels, and do not quote one: "
+              "studies/accuracy.md.")
+    if p["air"] != "off" and spread(p, d) < LEAST_SPREAD - 1e-9:
+        print(f"WARNING: a parcel's volume is spread over {spread(p, d):.2g} of its diameters (kernel and smoothing together): "
+              f"below {LEAST_SPREAD:g} parcels pump air that the powder would not. smoothingDiameters "
+              f"{LEAST_SPREAD + 0.5 - kernel(p)/d['parcelDiameter']:.2g} would do.")
