@@ -267,6 +267,11 @@ class Die(ACase):
         self.assertAlmostEqual(found["floorPressurePeak"], 12.25)
         self.assertAlmostEqual(found["floorPressureMean"], 1.225*35/4)
 
+    def testParcelShareIsWhatPrepareFound(self):
+        self.assertIsNone(self.measured()["parcelShare"])
+        self.write("system/caseDerived", "FoamFile { }\nparcelDiameter 4e-4;\nparcelShare 0.849;\n")
+        self.assertEqual(self.measured()["parcelShare"], 0.849)
+
     def refused(self, pattern, line, *words):
         """What `prepare` says of the parameters with another line in the place of one."""
         path = self.case/"system/caseParameters"
