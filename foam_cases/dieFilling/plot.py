@@ -20,6 +20,7 @@ root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) 
     os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
 sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(case/"scene")]
 
+import resolution
 import section
 import uniformity
 from picture import blue as withAir
@@ -136,6 +137,9 @@ def summary():
     for key, text in names.items():
         print(f"  {text:<35}" + "".join(
             f"{100*run[key][-1]:8.1f}" if key in run else "       -" for run in runs))
+    d = derived(case)
+    if resolution.told(d, d):
+        print(resolution.told(d, d))
     report = json.loads((case/"postProcessing/time.json").read_text())
     print(f"\nTime by stage, with air, {report['ranks']} ranks [s]")
     for stage, seconds in report["stages"].items():

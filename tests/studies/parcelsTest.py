@@ -36,7 +36,7 @@ class Parcels(unittest.TestCase):
             self.assertEqual(prepared(coarseGraining=k, particleDiameter=d)[0]["parcelShare"], 0)
 
     def testAreToldIfTheyLetThroughLess(self):
-        self.assertIn("Parcels of 0.4 mm: 85 % of what grains do passes a mouth of 8 mm", prepared()[1])
+        self.assertIn("Parcels of 0.4 mm let 85 % of grains' flow through a mouth of 8 mm", prepared()[1])
         self.assertIn("Parcels of 0.4 mm", prepared(air="off")[1])
         self.assertEqual(prepared(coarseGraining=3)[1], "")
 

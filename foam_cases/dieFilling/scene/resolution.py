@@ -24,13 +24,20 @@ def kernel(p):
     return 2*p["cellSize"] if p["deposit"] == "kernel" else 0
 
 
+def told(p, d):
+    """What passes the mouth, in a sentence; None if it is nearly what grains do."""
+    if d.get("parcelShare", 1) >= SHARE_TOLD:
+        return None
+    return (f"Parcels of {1e3*d['parcelDiameter']:.3g} mm let {100*d['parcelShare']:.0f} % of grains' flow through a mouth of "
+            f"{1e3*p['dieLength']:.3g} mm (Beverloo's law): compare runs with the same parcels, and do not quote one "
+            "(studies/accuracy.md).")
+
+
 def tell(p, d):
     if not d["parcelDiameter"] > 0:
         return
-    if d["parcelShare"] < SHARE_TOLD:
-        print(f"Parcels of {1e3*d['parcelDiameter']:.3g} mm: {100*d['parcelShare']:.0f} % of what grains do passes a mouth of "
-              f"{1e3*p['dieLength']:.3g} mm (Beverloo's law). Compare runs with the same parcels, and do not quote one: "
-              "studies/accuracy.md.")
+    if told(p, d):
+        print(told(p, d))
     if p["air"] != "off" and spread(p, d) < LEAST_SPREAD - 1e-9:
         print(f"WARNING: a parcel's volume is spread over {spread(p, d):.2g} of its diameters (kernel and smoothing together): "
               f"below {LEAST_SPREAD:g} parcels pump air that the powder would not. smoothingDiameters "
