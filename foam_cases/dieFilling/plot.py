@@ -138,8 +138,8 @@ def summary():
         print(f"  {text:<35}" + "".join(
             f"{100*run[key][-1]:8.1f}" if key in run else "       -" for run in runs))
     d = derived(case)
-    if resolution.told(d, d):
-        print(resolution.told(d, d))
+    if sentence := resolution.told(d, d):
+        print(sentence)
     report = json.loads((case/"postProcessing/time.json").read_text())
     print(f"\nTime by stage, with air, {report['ranks']} ranks [s]")
     for stage, seconds in report["stages"].items():

@@ -8,7 +8,8 @@ SHARE_TOLD = 0.95
 def parcelShare(p, parcelDiameter):
     """What parcels let through the mouth over what grains do. An opening is narrower by 1.4 of them [W. A. Beverloo,
     H. A. Leniger & J. van de Velde, Chem. Eng. Sci. 15 (1961) 260-269]; the flow through a slot goes as its power 3/2,
-    and walls that open and close it at an even speed make of that 5/2 of the whole length."""
+    and walls that open and close it at an even speed make of that 5/2 of the whole length. That side walls of the full rig take from it is not
+    counted."""
     def through(diameter):
         return max(0, 1 - 1.4*diameter/p["dieLength"])**2.5
     grains = through(parcelDiameter/p["coarseGraining"])
@@ -36,8 +37,8 @@ def told(p, d):
 def tell(p, d):
     if not d["parcelDiameter"] > 0:
         return
-    if told(p, d):
-        print(told(p, d))
+    if sentence := told(p, d):
+        print(sentence)
     if p["air"] != "off" and spread(p, d) < LEAST_SPREAD - 1e-9:
         print(f"WARNING: a parcel's volume is spread over {spread(p, d):.2g} of its diameters (kernel and smoothing together): "
               f"below {LEAST_SPREAD:g} parcels pump air that the powder would not. smoothingDiameters "
