@@ -8,8 +8,8 @@ SHARE_TOLD = 0.95
 def parcelShare(p, parcelDiameter):
     """What parcels let through the mouth over what grains do. An opening is narrower by 1.4 of them [W. A. Beverloo,
     H. A. Leniger & J. van de Velde, Chem. Eng. Sci. 15 (1961) 260-269]; the flow through a slot goes as its power 3/2,
-    and walls that open and close it at an even speed make of that 5/2 of the whole length. That side walls of the full rig take from it is not
-    counted."""
+    and walls that open and close it at an even speed make of that 5/2 of the whole length. What side walls
+    of the full rig take from it is not counted."""
     def through(diameter):
         return max(0, 1 - 1.4*diameter/p["dieLength"])**2.5
     grains = through(parcelDiameter/p["coarseGraining"])
