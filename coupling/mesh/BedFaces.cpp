@@ -20,11 +20,10 @@ tmp<GeometricField<Type, fvsPatchField, surfaceMesh>> bedFaces::inSeries(
 template tmp<surfaceScalarField> bedFaces::inSeries(const volScalarField&);
 template tmp<surfaceVectorField> bedFaces::inSeries(const volVectorField&);
 
-tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& alphaPhi,
-    const surfaceScalarField& free, const volScalarField& resistance,
-    const volVectorField& source, const surfaceScalarField& fixedFlux)
+tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& free, const Resisting& bed,
+    const Resisting& solids, const surfaceScalarField& open, const surfaceScalarField& fixedFlux)
 {
-    const fvMesh& mesh = alphaPhi.mesh();
+    const fvMesh& mesh = free.mesh();
     const surfaceVectorField& S = mesh.Sf();
     const surfaceScalarField& magS = mesh.magSf();
 
@@ -36,25 +35,34 @@ tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& alphaPh
     vectorField& sum = gradient.ref().primitiveFieldRef();
     tensorField shape(mesh.nCells(), Zero);
 
-    const auto add = [&](label cell, const vector& area, scalar magArea, scalar freeFlux, scalar flux)
+    // `at`: value of a field on the face.
+    const auto add = [&](label cell, const vector& area, scalar magArea, scalar freeFlux, const auto& at)
     {
-        const scalar half = freeFlux + (source[cell] & area) - resistance[cell]*flux;
-        sum[cell] += area/magArea*half;
-        shape[cell] += area*area/magArea;
+        scalar half = freeFlux;
+        for (const Resisting* resisting : {&bed, &solids})
+        {
+            half += at(resisting->share)
+                *((resisting->source[cell] & area) - resisting->resistance[cell]*at(resisting->flux));
+        }
+        const scalar weight = at(open)/magArea;
+        sum[cell] += weight*half*area;
+        shape[cell] += weight*area*area;
     };
     forAll(mesh.neighbour(), facei)
     {
-        add(mesh.owner()[facei], S[facei], magS[facei], free[facei], alphaPhi[facei]);
-        add(mesh.neighbour()[facei], S[facei], magS[facei], free[facei], alphaPhi[facei]);
+        const auto at = [facei](const surfaceScalarField& field) { return field[facei]; };
+        add(mesh.owner()[facei], S[facei], magS[facei], free[facei], at);
+        add(mesh.neighbour()[facei], S[facei], magS[facei], free[facei], at);
     }
     for (const fvPatch& patch : mesh.boundary())
     {
         const label p = patch.index();
         forAll(patch, i)
         {
-            const bool given = fixedFlux.boundaryField()[p][i] > 0.5;
+            const auto at = [p, i](const surfaceScalarField& field) { return field.boundaryField()[p][i]; };
+            const bool given = at(fixedFlux) > 0.5;
             add(patch.faceCells()[i], S.boundaryField()[p][i], magS.boundaryField()[p][i],
-                given ? 0 : free.boundaryField()[p][i], alphaPhi.boundaryField()[p][i]);
+                given ? 0 : at(free), at);
         }
     }
     sum = inv(shape) & sum;

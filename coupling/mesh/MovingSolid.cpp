@@ -60,6 +60,32 @@ scalar thinnest(const triSurfaceMesh& surface)
     return least;
 }
 
+// From 1 inside to 0 outside. Distances in widths of the ramp.
+scalar ramp(scalar distance)
+{
+    return min(max(0.5 - distance, scalar(0)), scalar(1));
+}
+
+// Integral of the ramp from the surface to a distance.
+scalar integral(scalar distance)
+{
+    const scalar x = min(max(distance, scalar(-0.5)), scalar(0.5));
+    return 0.5*x*(1 - x) + min(distance + 0.5, scalar(0));
+}
+
+// Mean of the ramp between two distances.
+scalar meanRamp(scalar from, scalar to)
+{
+    const scalar way = to - from;
+    return mag(way) > 1e-6 ? (integral(to) - integral(from))/way : ramp(from);
+}
+
+// Where no point is covered yet, how far off the surface is tells what the air's shear needs.
+scalar besides(scalar covered, scalar depth)
+{
+    return covered > 0 ? covered : min(depth, scalar(0));
+}
+
 } // namespace
 
 MovingSolid::MovingSolid(const fvMesh& mesh, const std::string& name, const fileName& surface,
@@ -218,10 +244,43 @@ scalar MovingSolid::share(const RigidPose& pose, label celli) const
     for (int eighth = 0; eighth < 8; ++eighth)
     {
         const vector aside(eighth & 1 ? 1 : -1, eighth & 2 ? 1 : -1, eighth & 4 ? 1 : -1);
-        const scalar inEighth = 0.5 - distance(pose, centre + 0.25*width*aside)/(0.5*width);
-        sum += min(max(inEighth, scalar(0)), scalar(1));
+        sum += ramp(distance(pose, centre + 0.25*width*aside)/(0.5*width));
     }
-    return sum > 0 ? sum/8 : min(depth, scalar(0));
+    return besides(sum/8, depth);
+}
+
+// Each point stands for a quarter of the face, over which the distance changes as it does between the
+// points: not at all if the surface comes along the face's normal.
+scalar MovingSolid::coverOfFace(const RigidPose& before, const RigidPose& now, const point& centre,
+    const vector& area) const
+{
+    const scalar width = std::sqrt(mag(area));
+    const scalar from = distance(before, centre);
+    const scalar to = distance(now, centre);
+    const scalar depth = max(0.5 - 0.5*(from + to)/width, scalar(-0.5));
+    if (min(from, to) > width || max(from, to) < -width)
+    {
+        return min(depth, scalar(1));
+    }
+    const vector normal = area/mag(area);
+    const vector first = normalised(normal ^ (mag(normal.x()) > 0.5 ? vector(0, 1, 0) : vector(1, 0, 0)));
+    const vector second = normal ^ first;
+    scalar was[4];
+    scalar is[4];
+    for (int quarter = 0; quarter < 4; ++quarter)
+    {
+        const vector aside = (quarter & 1 ? 1 : -1)*first + (quarter & 2 ? 1 : -1)*second;
+        was[quarter] = distance(before, centre + 0.25*width*aside);
+        is[quarter] = distance(now, centre + 0.25*width*aside);
+    }
+    const scalar across = 0.5*std::hypot(is[1] - is[0] + is[3] - is[2], is[2] - is[0] + is[3] - is[1]);
+    const scalar sharp = max(across, 1e-3*width);
+    scalar sum = 0;
+    for (int quarter = 0; quarter < 4; ++quarter)
+    {
+        sum += meanRamp(was[quarter]/sharp, is[quarter]/sharp);
+    }
+    return besides(sum/4, depth);
 }
 
 scalar MovingSolid::cover(const RigidPose& pose, scalarField& covered,

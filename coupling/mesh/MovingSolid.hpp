@@ -20,10 +20,11 @@ namespace interstice
 
 /// A rigid body that moves through a static mesh, as the air sees it.
 ///
-/// The closed surface is turned once into a table of signed distances in its own frame; at any
-/// pose, the covered fraction of a cell is the mean of eight points' in it, each a ramp of the
-/// distance as wide as an eighth of the cell: in front of a flat surface along the mesh one ramp as wide
-/// as the cell, and continuous in the pose. What the air and the powder make of it: SolidsOnMesh.
+/// The closed surface is turned once into a table of signed distances in its own frame. At any pose,
+/// the covered fraction of a cell is the mean of eight points' in it, each a ramp of the distance as
+/// wide as an eighth of the cell; that of a face the mean of four points' and of the time between two
+/// poses. In front of a flat surface along the mesh both are exact: what covers more of a cell has
+/// come through its faces. What the air and the powder make of it: SolidsOnMesh.
 class MovingSolid
 {
 public:
@@ -58,6 +59,11 @@ public:
     /// [m], 0 if it crosses none. Local.
     Foam::scalar cover(const RigidPose& pose, Foam::scalarField& covered,
         Foam::volVectorField& velocity) const;
+
+    /// Covered fraction of a face on the way from one pose to the next, on below zero to -1/2 as
+    /// that of a cell. Local.
+    Foam::scalar coverOfFace(const RigidPose& before, const RigidPose& now, const Foam::point& centre,
+        const Foam::vector& area) const;
 
 private:
     /// Signed distance [m], negative inside, and its slope, at the nodes of a box around the body.

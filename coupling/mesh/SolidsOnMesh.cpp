@@ -3,6 +3,7 @@
 
 #include "coupling/mesh/OpenVolumes.hpp"
 
+#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -38,8 +39,14 @@ SolidsOnMesh::SolidsOnMesh(const fvMesh& mesh)
                  IOobject::AUTO_WRITE),
         mesh, dimensionedScalar(dimless, Zero), zeroGradientFvPatchScalarField::typeName),
     velocity_(IOobject("solidVelocity", mesh.time().timeName(), mesh), mesh,
-        dimensionedVector(dimVelocity, Zero), zeroGradientFvPatchVectorField::typeName)
-{}
+        dimensionedVector(dimVelocity, Zero), zeroGradientFvPatchVectorField::typeName),
+    depthOfFaces_(IOobject("solidDepth", mesh.time().timeName(), mesh), mesh,
+        dimensionedScalar("farAway", dimless, farAway)),
+    flux_(IOobject("solidFlux", mesh.time().timeName(), mesh), mesh,
+        dimensionedScalar(dimVelocity*dimArea, Zero))
+{
+    flux_.setOriented();
+}
 
 void SolidsOnMesh::add(std::unique_ptr<MovingSolid> solid)
 {
@@ -60,6 +67,7 @@ MovingSolid::Seen SolidsOnMesh::outside(const vector& point) const
 
 void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
 {
+    const std::vector<RigidPose> before(poses_.empty() ? poses : poses_);
     poses_ = poses;
     depth_ = farAway;
     velocity_ = dimensionedVector(dimVelocity, Zero);
@@ -74,6 +82,48 @@ void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
     covered_.primitiveFieldRef() = max(depth_, scalar(0));
     covered_.correctBoundaryConditions();
     velocity_.correctBoundaryConditions();
+    moveFaces(before);
+}
+
+void SolidsOnMesh::moveFaces(const std::vector<RigidPose>& before)
+{
+    const auto see = [&](const point& centre, const vector& area, scalar& depth, scalar& flux)
+    {
+        depth = farAway;
+        flux = 0;
+        for (std::size_t i = 0; i < solids_.size(); ++i)
+        {
+            const scalar here = solids_[i]->coverOfFace(before[i], poses_[i], centre, area);
+            if (here > depth)
+            {
+                const RigidPose::Vector v = poses_[i].velocityAt({centre.x(), centre.y(), centre.z()});
+                depth = here;
+                flux = vector(v[0], v[1], v[2]) & area;
+            }
+        }
+    };
+    forAll(mesh_.neighbour(), facei)
+    {
+        const bool near = max(depth_[mesh_.owner()[facei]], depth_[mesh_.neighbour()[facei]]) > farAway;
+        if (near || depthOfFaces_[facei] > farAway)
+        {
+            see(mesh_.Cf()[facei], mesh_.Sf()[facei], depthOfFaces_[facei], flux_[facei]);
+        }
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        fvsPatchScalarField& depth = depthOfFaces_.boundaryFieldRef()[patch.index()];
+        fvsPatchScalarField& flux = flux_.boundaryFieldRef()[patch.index()];
+        forAll(patch, i)
+        {
+            see(patch.Cf()[i], patch.Sf()[i], depth[i], flux[i]);
+        }
+    }
+}
+
+tmp<surfaceScalarField> SolidsOnMesh::openFaces() const
+{
+    return max(1 - max(depthOfFaces_, scalar(0)), leastOpen);
 }
 
 void SolidsOnMesh::warnOfLeak(std::size_t solid, scalar widest)
@@ -122,9 +172,27 @@ tmp<volVectorField> SolidsOnMesh::airInOpenPart(const volVectorField& U,
     return air;
 }
 
+tmp<volScalarField> SolidsOnMesh::friction(const volScalarField& voidFraction, const volScalarField& nu) const
+{
+    tmp<volScalarField> friction = volScalarField::New(
+        "frictionOfSolids", mesh_, dimensionedScalar(dimless/dimTime, Zero));
+    forAll(depth_, celli)
+    {
+        if (depth_[celli] > farAway)
+        {
+            const double o = max(1 - covered_[celli], leastOpen);
+            const double A = 1 - o*(1 - voidFraction[celli]);
+            const double viscous = nu[celli]/sqr(std::cbrt(mesh_.V()[celli]));
+            friction.ref()[celli] = min(A*viscous*shear(depth_[celli], o), grip);
+        }
+    }
+    return friction;
+}
+
 void SolidsOnMesh::share(const volScalarField& voidFraction, const volScalarField& nu,
     volScalarField& resistance, volVectorField& source) const
 {
+    const tmp<volScalarField> friction(this->friction(voidFraction, nu));
     forAll(depth_, celli)
     {
         if (depth_[celli] > farAway)
@@ -133,11 +201,9 @@ void SolidsOnMesh::share(const volScalarField& voidFraction, const volScalarFiel
             const double o = max(1 - c, leastOpen);
             const double a = voidFraction[celli];
             const double A = 1 - o*(1 - a);
-            const double h = std::cbrt(mesh_.V()[celli]);
             const double K = resistance[celli];
-            const double viscous = nu[celli]/sqr(h);
-            const double friction = A*viscous*shear(depth_[celli], o)/(1 + K/viscous);
-            const double sigma = min(K*c*A/(o*sqr(a)) + friction, grip);
+            const double faded = 1/(1 + K*sqr(std::cbrt(mesh_.V()[celli]))/nu[celli]);
+            const double sigma = min(K*c*A/(o*sqr(a)) + faded*friction()[celli], grip);
             resistance[celli] = K*A/a + sigma;
             source[celli] = A/a*source[celli] + sigma*velocity_[celli];
         }

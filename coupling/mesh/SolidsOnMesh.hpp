@@ -3,6 +3,8 @@
 
 #include "coupling/mesh/MovingSolid.hpp"
 
+#include "surfaceFields.H"
+
 namespace interstice
 {
 
@@ -16,12 +18,19 @@ namespace interstice
 ///
 ///     K A/a (U - U_s) + sigma (U - U_w),     sigma = K c A/(o a^2) + A nu/h^2 (h/s - 1)      [1/s, over density]
 ///
-/// so that of a bed along a surface that lies anywhere in a cell, there flows what its open part lets
-/// through; and clear air, in a cell of width h whose centre is s from the surface, has the velocity of a
+/// so that clear air, in a cell of width h whose centre is s from the surface, has the velocity of a
 /// straight profile. (Next to none if s < 0. In a bed, of nu/h^2 << K, friction goes no further than the pores:
-/// its part fades.) A cell that is covered all over is held so hard that what leaks through a wall is
-/// far below the minimum fluidisation velocity. (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81
-/// (1999) 497-520; what becomes of cut cells is ours.)
+/// its part fades.)
+///
+/// Between cells it is the face that is shared, by its own covered part c: of the flux w = A U through
+/// it, w - c U_w is the air's, and that is what the powder on either side resists. So of a bed along a
+/// surface that lies anywhere in a cell, there flows what its open part lets through; and a surface that
+/// moves through a cell displaces air as it passes its faces, without pushing it through what is left
+/// of the cell: with c of the cell in its place, air that goes with wall and bed seems to slip,
+/// by 1 - a of their speed, and its pressure grows without bound until the cell is covered. A face
+/// that is covered all over is held so hard that what leaks through a wall is far below the minimum
+/// fluidisation velocity. (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
+/// 497-520; what becomes of cut cells and faces is ours.)
 class SolidsOnMesh
 {
 public:
@@ -49,12 +58,22 @@ public:
     Foam::tmp<Foam::volVectorField> airInOpenPart(
         const Foam::volVectorField& U, const Foam::volScalarField& voidFraction) const;
 
+    /// By what the surface holds the clear air of a cell to velocity(), nu A/h^2 (h/s - 1), and in covered
+    /// ones the grip [1/s].
+    Foam::tmp<Foam::volScalarField> friction(
+        const Foam::volScalarField& voidFraction, const Foam::volScalarField& nu) const;
+
     /// From K/rho and its source, per open volume, to all that the air of a cell meets [1/s, m/s2].
     void share(const Foam::volScalarField& voidFraction, const Foam::volScalarField& nu,
         Foam::volScalarField& resistance, Foam::volVectorField& source) const;
 
+    /// Of each face, on the way since the move before: what a flux passes through in a step.
+    Foam::tmp<Foam::surfaceScalarField> openFaces() const; ///< 1 - c, more than zero
+    const Foam::surfaceScalarField& flux() const { return flux_; } ///< U_w . S [m3/s]
+
 private:
     void warnOfLeak(std::size_t solid, Foam::scalar widest);
+    void moveFaces(const std::vector<RigidPose>& before);
 
     const Foam::fvMesh& mesh_;
     Foam::scalar coarsest_; // width of a cell, of all ranks [m]
@@ -64,6 +83,8 @@ private:
     Foam::scalarField depth_; // covered fraction, on below zero to -1/2 (see MovingSolid)
     Foam::volScalarField covered_;
     Foam::volVectorField velocity_;
+    Foam::surfaceScalarField depthOfFaces_; // as depth_, on the way since the move before
+    Foam::surfaceScalarField flux_;
 };
 
 } // namespace interstice

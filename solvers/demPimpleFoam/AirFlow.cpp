@@ -169,7 +169,11 @@ AirFlow::AirFlow(fvMesh& mesh, StageClock& clock)
         dimensionedScalar(dimless/dimTime, Zero), zeroGradientFvPatchScalarField::typeName),
     source_(field("momentumSource", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
         dimensionedVector(dimAcceleration, Zero), zeroGradientFvPatchVectorField::typeName),
+    bedResistance_("bedResistance", resistance_),
+    bedSource_("bedSource", source_),
+    friction_("frictionOfSolids", resistance_),
     fixedFlux_(givenFluxes(U_)),
+    whole_(IOobject("whole", mesh.time().timeName(), mesh), mesh, dimensionedScalar("one", dimless, 1)),
     density_(checkedDensity(U_, p_)),
     transport_(U_, phi_),
     nu_("laminarViscosity", transport_.nu()),
@@ -232,8 +236,11 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
 
     resistance_ = powder.dragCoefficient()/rho;
     source_ = powder.dragSource()/rho;
+    bedResistance_ = resistance_/sqr(powder.voidFraction());
+    bedSource_ = source_/powder.voidFraction();
     if (solids.any())
     {
+        friction_ = solids.friction(powder.voidFraction(), turbulence_->nuEff());
         solids.share(powder.voidFraction(), turbulence_->nuEff(), resistance_, source_);
     }
     source_ += alpha_*(gravity_ + bodyForce_);
@@ -255,7 +262,7 @@ void AirFlow::solve(const PowderOnMesh& powder, const SolidsOnMesh& solids, bool
         const volVectorField h(carried(UEqn));
         while (pimple_.correct())
         {
-            correctPressure(h);
+            correctPressure(h, solids);
         }
         if (pimple_.turbCorr())
         {

@@ -71,7 +71,7 @@ private:
     Foam::tmp<Foam::fvVectorMatrix> viscosity();
     void predictVelocity(Foam::fvVectorMatrix& UEqn);
     Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
-    void correctPressure(const Foam::volVectorField& carried);
+    void correctPressure(const Foam::volVectorField& carried, const SolidsOnMesh& solids);
     Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
     bool compressible() const { return compressibility_.value() > 0; }
     Foam::tmp<Foam::volScalarField> storage() const;
@@ -94,7 +94,11 @@ private:
     std::unique_ptr<Foam::volVectorField> divTau_; ///< over density [m/s2]; only if the powder feels it
     Foam::volScalarField resistance_; ///< drag and solids, (K/rho + sigma) [1/s]
     Foam::volVectorField source_; ///< (K U_s + carry)/rho + sigma U_wall + alpha g [m/s2]
+    Foam::volScalarField bedResistance_; ///< of the bed alone, to its superficial flow, K/(rho a^2) [1/s]
+    Foam::volVectorField bedSource_; ///< (K U_s + carry)/(rho a) [m/s2]
+    Foam::volScalarField friction_; ///< by solids [1/s]
     Foam::surfaceScalarField fixedFlux_; ///< 1 where a boundary gives the flux
+    Foam::surfaceScalarField whole_; ///< 1
 
     double density_;
     Foam::singlePhaseTransportModel transport_;

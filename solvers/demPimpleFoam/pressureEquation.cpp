@@ -37,21 +37,31 @@ tmp<surfaceScalarField> AirFlow::memoryOfFlux() const
     return memory;
 }
 
-// With w = alpha U, the momentum of the air is (inertia + resistance) w = h + b - grad(p), with the
-// velocity of the step before in h, and in b all that a cell has for itself: sources, convection,
-// viscosity. Across faces resistances act in series (see BedFaces.hpp).
-void AirFlow::correctPressure(const volVectorField& carried)
+// With w = alpha U, the momentum of the air is
+//
+//     inertia w + bed (w - c U_w)/o + friction (w - alpha U_w) = h + b - grad(p)
+//
+// with the velocity of the step before in h, and in b all that a cell has for itself: the source of its
+// drag, gravity, convection, viscosity. Across faces resistances act in series (see BedFaces.hpp), that of
+// the bed on what flows through their open part o; friction of solids fades where there is a bed (see
+// SolidsOnMesh.hpp).
+void AirFlow::correctPressure(const volVectorField& carried, const SolidsOnMesh& solids)
 {
     StageClock::Scope timed(clock_, Stage::pressure);
 
     const volScalarField A(alpha_.oldTime()/mesh_.time().deltaT());
-    const volScalarField inertia(A/sqr(alpha_));
-    const volScalarField resistance(resistance_/sqr(alpha_));
     const volVectorField before(A*U_.oldTime());
-    const volVectorField b((source_ + carried - before)/alpha_);
+    const volScalarField inertia(A/sqr(alpha_));
+    const volVectorField b(bedSource_ + gravity_ + bodyForce_ + (carried - before)/alpha_);
+    const volScalarField friction(friction_/sqr(alpha_));
+    const volVectorField drawn(friction_/alpha_*solids.velocity());
 
     const surfaceScalarField inertiaf(bedFaces::inSeries(inertia));
-    const surfaceScalarField D(1/(inertiaf + bedFaces::inSeries(resistance)));
+    const surfaceScalarField bed(bedFaces::inSeries(bedResistance_));
+    const surfaceScalarField faded(1/(1 + bed*mesh_.magSf()/fvc::interpolate(turbulence_->nuEff())));
+    const surfaceScalarField open(solids.openFaces());
+    const surfaceScalarField covered((1 - open)*solids.flux());
+    const surfaceScalarField D(1/(inertiaf + bed/open + faded*bedFaces::inSeries(friction)));
     const surfaceScalarField h
     (
         (bedFaces::inSeries(volVectorField(before/alpha_)) & mesh_.Sf()) + memoryOfFlux()
@@ -59,7 +69,8 @@ void AirFlow::correctPressure(const volVectorField& carried)
     surfaceScalarField predicted
     (
         "predictedFlux",
-        D*(h + (bedFaces::inSeries(b) & mesh_.Sf()))
+        D*(h + (bedFaces::inSeries(b) & mesh_.Sf()) + bed/open*covered
+          + faded*(bedFaces::inSeries(drawn) & mesh_.Sf()))
     );
     predicted =
         fixedFlux_*fvc::interpolate(alpha_)*fvc::flux(U_) + (1 - fixedFlux_)*predicted;
@@ -98,7 +109,9 @@ void AirFlow::correctPressure(const volVectorField& carried)
         }
     }
 
-    gradP_ = bedFaces::pressureGradient(alphaPhi_, h - inertiaf*alphaPhi_, resistance, b, fixedFlux_);
+    const surfaceScalarField airFlux((alphaPhi_ - covered)/open);
+    gradP_ = bedFaces::pressureGradient(h - inertiaf*alphaPhi_, {bedResistance_, b, airFlux, whole_},
+        {friction, drawn, alphaPhi_, faded}, open, fixedFlux_);
     U_ = (carried + source_ - alpha_*gradP_)/(A + resistance_);
     U_.correctBoundaryConditions();
     push_ = A*U_ - carried;

@@ -11,7 +11,7 @@ namespace interstice
 
 using namespace Foam;
 
-void AirFlow::correctPressure(const volVectorField& carried)
+void AirFlow::correctPressure(const volVectorField& carried, const SolidsOnMesh&)
 {
     const volScalarField inertia(alpha_.oldTime()/mesh_.time().deltaT());
     const volScalarField mobility(1/(inertia + resistance_));

@@ -10,11 +10,10 @@ namespace interstice
 
 using namespace Foam;
 
-tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& alphaPhi,
-    const surfaceScalarField&, const volScalarField&, const volVectorField&,
-    const surfaceScalarField&)
+tmp<volVectorField> bedFaces::pressureGradient(const surfaceScalarField& free, const Resisting&,
+    const Resisting&, const surfaceScalarField&, const surfaceScalarField&)
 {
-    return fvc::grad(alphaPhi.mesh().lookupObject<volScalarField>("p"));
+    return fvc::grad(free.mesh().lookupObject<volScalarField>("p"));
 }
 
 } // namespace interstice
