@@ -232,6 +232,36 @@ TEST_F(MovingSolidTest, LeavesCellsThatAnotherBodyCoversMoreToThatOne)
     }
 }
 
+// In front of the cube's side at +x. A face across the way counts the time for which it is covered; one along
+// the way, what of it is.
+TEST_F(MovingSolidTest, CoversOfAFaceWhatItDoesAndAsLongAsItDoes)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    const double width = 0.5e-3;
+    const double step = 0.1*width;
+    const auto covered = [&](double ahead, const vector& normal)
+    {
+        const vector centre = middle() + vector(0.5*side + ahead*width, 0.1e-3, -0.2e-3);
+        return solid.coverOfFace(posed(middle()), posed(middle() + vector(step, 0, 0)), centre,
+            width*width*normal);
+    };
+    const vector across(1, 0, 0);
+    const vector along(0, 0, 1);
+    for (const double share : {0.05, 0.3, 0.7, 0.95})
+    {
+        EXPECT_NEAR(covered(0.1*(1 - share), across), share, 1e-2) << share;
+        EXPECT_NEAR(covered(0.1*(1 - share), -across), share, 1e-2) << share;
+    }
+    EXPECT_EQ(covered(-0.2, across), 1);
+    EXPECT_NEAR(covered(0.85, across), 0.5 - 0.8, 1e-3) << "none of it: how far off it is";
+    EXPECT_EQ(covered(1.2, across), -0.5);
+    for (const double share : {0.1, 0.4, 0.6, 0.9})
+    {
+        EXPECT_NEAR(covered(0.55 - share, along), share, 1e-2) << share;
+    }
+    EXPECT_EQ(covered(-0.6, along), 1);
+}
+
 TEST_F(MovingSolidTest, RefusesAMissingFile)
 {
     const std::string text = refusal("nowhere/shoe.stl");

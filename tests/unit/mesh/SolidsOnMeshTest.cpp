@@ -113,6 +113,32 @@ TEST_F(SolidsOnMeshTest, SharesTheFluxOfACellBetweenBodyAndAir)
     EXPECT_GT(Foam::returnReduce(cut, Foam::sumOp<int>()), 20);
 }
 
+// Faces deep in the body have nothing open and its flux; those far from it are open.
+TEST_F(SolidsOnMeshTest, ClosesTheFacesInABodyAndCarriesTheirFluxAlong)
+{
+    SolidsOnMesh solids(mesh());
+    putBody(solids);
+    const Foam::surfaceScalarField open(solids.openFaces());
+    int inside = 0;
+    forAll(open, face)
+    {
+        const vector away = cmptMag(mesh().Cf()[face] - vector(2.13e-3, 2.05e-3, 5.21e-3));
+        ASSERT_GT(open[face], 0);
+        ASSERT_LE(open[face], 1);
+        if (cmptMax(away) < 0.6e-3)
+        {
+            ++inside;
+            ASSERT_LT(open[face], 1e-5);
+            ASSERT_NEAR(solids.flux()[face], wall & mesh().Sf()[face], 1e-12*Foam::mag(mesh().Sf()[face]));
+        }
+        if (cmptMax(away) > 1.8e-3)
+        {
+            ASSERT_EQ(open[face], 1);
+        }
+    }
+    EXPECT_GT(Foam::returnReduce(inside, Foam::sumOp<int>()), 10);
+}
+
 // Where powder and body move alike, so do they draw the air; a cell that is quite covered is held by the body, one
 // that is far away by the powder alone.
 TEST_F(SolidsOnMeshTest, DrawsTheAirToWhereBodyAndPowderGo)
