@@ -186,6 +186,7 @@ tmp<volScalarField> SolidsOnMesh::friction(const volScalarField& voidFraction, c
             friction.ref()[celli] = min(A*viscous*shear(depth_[celli], o), grip);
         }
     }
+    friction.ref().correctBoundaryConditions();
     return friction;
 }
 
