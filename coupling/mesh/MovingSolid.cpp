@@ -60,6 +60,8 @@ scalar thinnest(const triSurfaceMesh& surface)
     return least;
 }
 
+constexpr scalar sharpest = 1e-3; // ramp of a surface, in cells
+
 // From 1 inside to 0 outside. Distances in widths of the ramp.
 scalar ramp(scalar distance)
 {
@@ -93,11 +95,13 @@ MovingSolid::MovingSolid(const fvMesh& mesh, const std::string& name, const file
 :
     mesh_(mesh),
     name_(name),
-    width_(mesh.nCells())
+    width_(mesh.nCells()),
+    extent_(mesh.nCells())
 {
     forAll(mesh.V(), celli)
     {
         width_[celli] = std::cbrt(mesh.V()[celli]);
+        extent_[celli] = boundBox(mesh.points(), mesh.cellPoints()[celli], false).span();
     }
     tabulate(surface, where);
 }
@@ -235,26 +239,37 @@ scalar MovingSolid::share(const RigidPose& pose, label celli) const
 {
     const vector& centre = mesh_.C()[celli];
     const scalar width = width_[celli];
-    const scalar depth = max(0.5 - distance(pose, centre)/width, scalar(-0.5));
-    if (depth <= -0.5 || depth > 1.5)
+    const scalar from = distance(pose, centre);
+    const scalar depth = max(0.5 - from/width, scalar(-0.5));
+    const scalar reach = cmptMax(extent_[celli]);
+    if (mag(from) > reach)
     {
         return min(depth, scalar(1));
     }
-    scalar sum = 0;
+    scalar distances[8];
+    vector change(Zero); // of the distance, along x, y and z over four eighths
     for (int eighth = 0; eighth < 8; ++eighth)
     {
-        const vector aside(eighth & 1 ? 1 : -1, eighth & 2 ? 1 : -1, eighth & 4 ? 1 : -1);
-        sum += ramp(distance(pose, centre + 0.25*width*aside)/(0.5*width));
+        const vector side(eighth & 1 ? 1 : -1, eighth & 2 ? 1 : -1, eighth & 4 ? 1 : -1);
+        distances[eighth] = min(distance(pose, centre + 0.25*cmptMultiply(side, extent_[celli])), reach);
+        change += 0.25*distances[eighth]*side;
+    }
+    const scalar across = max(mag(change), sharpest*width);
+    scalar sum = 0;
+    for (const scalar here : distances)
+    {
+        sum += ramp(here/across);
     }
     return besides(sum/8, depth);
 }
 
 // Each point stands for a quarter of the face, over which the distance changes as it does between the
 // points: not at all if the surface comes along the face's normal.
-scalar MovingSolid::coverOfFace(const RigidPose& before, const RigidPose& now, const point& centre,
-    const vector& area) const
+scalar MovingSolid::coverOfFace(const RigidPose& before, const RigidPose& now, label facei) const
 {
-    const scalar width = std::sqrt(mag(area));
+    const vector& centre = mesh_.faceCentres()[facei];
+    const vector normal = normalised(mesh_.faceAreas()[facei]);
+    const scalar width = std::sqrt(mag(mesh_.faceAreas()[facei]));
     const scalar from = distance(before, centre);
     const scalar to = distance(now, centre);
     const scalar depth = max(0.5 - 0.5*(from + to)/width, scalar(-0.5));
@@ -262,25 +277,38 @@ scalar MovingSolid::coverOfFace(const RigidPose& before, const RigidPose& now, c
     {
         return min(depth, scalar(1));
     }
-    const vector normal = area/mag(area);
     const vector first = normalised(normal ^ (mag(normal.x()) > 0.5 ? vector(0, 1, 0) : vector(1, 0, 0)));
     const vector second = normal ^ first;
+    const scalar lengths[] = {extent(facei, first), extent(facei, second)};
     scalar was[4];
     scalar is[4];
     for (int quarter = 0; quarter < 4; ++quarter)
     {
-        const vector aside = (quarter & 1 ? 1 : -1)*first + (quarter & 2 ? 1 : -1)*second;
-        was[quarter] = distance(before, centre + 0.25*width*aside);
-        is[quarter] = distance(now, centre + 0.25*width*aside);
+        const vector aside = (quarter & 1 ? 1 : -1)*lengths[0]*first + (quarter & 2 ? 1 : -1)*lengths[1]*second;
+        was[quarter] = min(distance(before, centre + 0.25*aside), 2*width);
+        is[quarter] = min(distance(now, centre + 0.25*aside), 2*width);
     }
-    const scalar across = 0.5*std::hypot(is[1] - is[0] + is[3] - is[2], is[2] - is[0] + is[3] - is[1]);
-    const scalar sharp = max(across, 1e-3*width);
+    const scalar across = max(
+        0.5*std::hypot(is[1] - is[0] + is[3] - is[2], is[2] - is[0] + is[3] - is[1]), sharpest*width);
     scalar sum = 0;
     for (int quarter = 0; quarter < 4; ++quarter)
     {
-        sum += meanRamp(was[quarter]/sharp, is[quarter]/sharp);
+        sum += meanRamp(was[quarter]/across, is[quarter]/across);
     }
     return besides(sum/4, depth);
+}
+
+scalar MovingSolid::extent(label facei, const vector& direction) const
+{
+    scalar low = GREAT;
+    scalar high = -GREAT;
+    for (const label pointi : mesh_.faces()[facei])
+    {
+        const scalar along = mesh_.points()[pointi] & direction;
+        low = min(low, along);
+        high = max(high, along);
+    }
+    return high - low;
 }
 
 scalar MovingSolid::cover(const RigidPose& pose, scalarField& covered,

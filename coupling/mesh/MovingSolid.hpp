@@ -22,7 +22,7 @@ namespace interstice
 ///
 /// The closed surface is turned once into a table of signed distances in its own frame. At any pose,
 /// the covered fraction of a cell is the mean of eight points' in it, each a ramp of the distance as
-/// wide as an eighth of the cell; that of a face the mean of four points' and of the time between two
+/// wide as an eighth of the cell is across the surface; that of a face the mean of four points' and of the time between two
 /// poses. In front of a flat surface along the mesh both are exact: what covers more of a cell has
 /// come through its faces. What the air and the powder make of it: SolidsOnMesh.
 class MovingSolid
@@ -60,10 +60,9 @@ public:
     Foam::scalar cover(const RigidPose& pose, Foam::scalarField& covered,
         Foam::volVectorField& velocity) const;
 
-    /// Covered fraction of a face on the way from one pose to the next, on below zero to -1/2 as
-    /// that of a cell. Local.
-    Foam::scalar coverOfFace(const RigidPose& before, const RigidPose& now, const Foam::point& centre,
-        const Foam::vector& area) const;
+    /// Covered fraction of a face of the mesh on the way from one pose to the next, on below zero to
+    /// -1/2 as that of a cell. Local.
+    Foam::scalar coverOfFace(const RigidPose& before, const RigidPose& now, Foam::label facei) const;
 
 private:
     /// Signed distance [m], negative inside, and its slope, at the nodes of a box around the body.
@@ -83,12 +82,14 @@ private:
 
     Foam::scalar distance(const RigidPose& pose, const Foam::vector& point) const;
     Foam::scalar share(const RigidPose& pose, Foam::label celli) const; // see cover
+    Foam::scalar extent(Foam::label facei, const Foam::vector& direction) const;
     void tabulate(const Foam::fileName& surface, const std::string& where);
     void tabulateLayer(const Foam::triSurfaceMesh& surface, int k);
 
     const Foam::fvMesh& mesh_;
     std::string name_;
-    std::vector<Foam::scalar> width_; // of the ramp in each cell [m]
+    std::vector<Foam::scalar> width_; // of each cell [m]
+    Foam::vectorField extent_; // along x, y and z [m]
     Foam::scalar thickness_;
     DistanceTable table_;
 };

@@ -20,6 +20,10 @@ constexpr double grip = 1e11; // on the air of a cell that is covered all over [
 constexpr double leastShown = 0.1; // of a cell, to the air that the powder meets
 constexpr double farAway = -0.5; // depth of a cell that no body is near
 
+// Of a face, to the air. Cells and faces close together but for rounding, and what a cell has left then must not be
+// squeezed out of it with any force.
+constexpr double leastOpenFace = 1e-3;
+
 // What the surface does to the shear flow along it, times h^2: a cell whose centre is outside gets the
 // velocity that a straight profile has there, one whose centre is inside next to none.
 double shear(double depth, double open)
@@ -87,18 +91,19 @@ void SolidsOnMesh::move(const std::vector<RigidPose>& poses)
 
 void SolidsOnMesh::moveFaces(const std::vector<RigidPose>& before)
 {
-    const auto see = [&](const point& centre, const vector& area, scalar& depth, scalar& flux)
+    const auto see = [&](label facei, scalar& depth, scalar& flux)
     {
         depth = farAway;
         flux = 0;
         for (std::size_t i = 0; i < solids_.size(); ++i)
         {
-            const scalar here = solids_[i]->coverOfFace(before[i], poses_[i], centre, area);
+            const scalar here = solids_[i]->coverOfFace(before[i], poses_[i], facei);
             if (here > depth)
             {
-                const RigidPose::Vector v = poses_[i].velocityAt({centre.x(), centre.y(), centre.z()});
+                const point& x = mesh_.faceCentres()[facei];
+                const RigidPose::Vector v = poses_[i].velocityAt({x.x(), x.y(), x.z()});
                 depth = here;
-                flux = vector(v[0], v[1], v[2]) & area;
+                flux = vector(v[0], v[1], v[2]) & mesh_.faceAreas()[facei];
             }
         }
     };
@@ -107,7 +112,7 @@ void SolidsOnMesh::moveFaces(const std::vector<RigidPose>& before)
         const bool near = max(depth_[mesh_.owner()[facei]], depth_[mesh_.neighbour()[facei]]) > farAway;
         if (near || depthOfFaces_[facei] > farAway)
         {
-            see(mesh_.Cf()[facei], mesh_.Sf()[facei], depthOfFaces_[facei], flux_[facei]);
+            see(facei, depthOfFaces_[facei], flux_[facei]);
         }
     }
     for (const fvPatch& patch : mesh_.boundary())
@@ -116,14 +121,14 @@ void SolidsOnMesh::moveFaces(const std::vector<RigidPose>& before)
         fvsPatchScalarField& flux = flux_.boundaryFieldRef()[patch.index()];
         forAll(patch, i)
         {
-            see(patch.Cf()[i], patch.Sf()[i], depth[i], flux[i]);
+            see(patch.start() + i, depth[i], flux[i]);
         }
     }
 }
 
 tmp<surfaceScalarField> SolidsOnMesh::openFaces() const
 {
-    return max(1 - max(depthOfFaces_, scalar(0)), leastOpen);
+    return max(1 - max(depthOfFaces_, scalar(0)), leastOpenFace);
 }
 
 void SolidsOnMesh::warnOfLeak(std::size_t solid, scalar widest)

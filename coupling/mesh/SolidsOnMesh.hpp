@@ -27,9 +27,9 @@ namespace interstice
 /// surface that lies anywhere in a cell, there flows what its open part lets through; and a surface that
 /// moves through a cell displaces air as it passes its faces, without pushing it through what is left
 /// of the cell: with c of the cell in its place, air that goes with wall and bed seems to slip,
-/// by 1 - a of their speed, and its pressure grows without bound until the cell is covered. A face
-/// that is covered all over is held so hard that what leaks through a wall is far below the minimum
-/// fluidisation velocity. (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
+/// by 1 - a of their speed, and its pressure grows without bound until the cell is covered. Of a bed, a
+/// face that is covered all over lets through a thousandth; of clear air, that in a covered cell is held
+/// so hard that what leaks through a wall is far below the minimum fluidisation velocity. (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
 /// 497-520; what becomes of cut cells and faces is ours.)
 class SolidsOnMesh
 {

@@ -232,34 +232,86 @@ TEST_F(MovingSolidTest, LeavesCellsThatAnotherBodyCoversMoreToThatOne)
     }
 }
 
-// In front of the cube's side at +x. A face across the way counts the time for which it is covered; one along
-// the way, what of it is.
+// The cube's side at +x comes to the middle of a face, whatever its shape. A face across the way counts the time
+// for which it is covered; one along the way, what of it is.
 TEST_F(MovingSolidTest, CoversOfAFaceWhatItDoesAndAsLongAsItDoes)
 {
     const MovingSolid solid = make(boxFile("cube", cube));
-    const double width = 0.5e-3;
-    const double step = 0.1*width;
-    const auto covered = [&](double ahead, const vector& normal)
+    const vector step(0.03e-3, 0, 0);
+    int across = 0;
+    int along = 0;
+    for (Foam::label face = 0; face < mesh().nInternalFaces(); ++face)
     {
-        const vector centre = middle() + vector(0.5*side + ahead*width, 0.1e-3, -0.2e-3);
-        return solid.coverOfFace(posed(middle()), posed(middle() + vector(step, 0, 0)), centre,
-            width*width*normal);
-    };
-    const vector across(1, 0, 0);
-    const vector along(0, 0, 1);
-    for (const double share : {0.05, 0.3, 0.7, 0.95})
-    {
-        EXPECT_NEAR(covered(0.1*(1 - share), across), share, 1e-2) << share;
-        EXPECT_NEAR(covered(0.1*(1 - share), -across), share, 1e-2) << share;
+        const vector normal = cmptMag(mesh().Sf()[face])/mesh().magSf()[face];
+        const vector span = Foam::boundBox(mesh().points(), mesh().faces()[face], false).span();
+        const auto covered = [&](double ahead)
+        {
+            const vector start = mesh().Cf()[face] - vector(0.5*side + ahead, 0, 0);
+            return solid.coverOfFace(posed(start), posed(start + step), face);
+        };
+        if (normal.x() > 0.999999)
+        {
+            ++across;
+            for (const double share : {0.05, 0.3, 0.7, 0.95})
+            {
+                ASSERT_NEAR(covered((1 - share)*step.x()), share, 1e-2) << share;
+            }
+            ASSERT_EQ(covered(-0.1e-3), 1);
+            ASSERT_NEAR(covered(0.3e-3), std::min(0.5 - 0.285e-3/std::sqrt(mesh().magSf()[face]), 0.0), 1e-2);
+        }
+        if (normal.z() > 0.999999)
+        {
+            ++along;
+            for (const double share : {0.1, 0.4, 0.6, 0.9})
+            {
+                ASSERT_NEAR(covered((0.5 - share)*span.x() + 0.5*step.x()), share, 1e-2) << share;
+            }
+            ASSERT_EQ(covered(-0.6*span.x()), 1);
+        }
+        if (normal.x() > 0.999999 || normal.z() > 0.999999)
+        {
+            ASSERT_EQ(covered(2e-3), -0.5);
+        }
     }
-    EXPECT_EQ(covered(-0.2, across), 1);
-    EXPECT_NEAR(covered(0.85, across), 0.5 - 0.8, 1e-3) << "none of it: how far off it is";
-    EXPECT_EQ(covered(1.2, across), -0.5);
-    for (const double share : {0.1, 0.4, 0.6, 0.9})
+    EXPECT_GT(Foam::returnReduce(across, Foam::sumOp<int>()), 20);
+    EXPECT_GT(Foam::returnReduce(along, Foam::sumOp<int>()), 20);
+}
+
+// What covers more of a cell in a step has come through its faces, whatever the cell's shape: in front of a flat
+// side, of all cells with six faces along the axes.
+TEST_F(MovingSolidTest, CoversOfACellWhatComesThroughItsFaces)
+{
+    const MovingSolid solid = make(boxFile("cube", cube));
+    const vector step(0.03e-3, 0, 0);
+    int cut = 0;
+    for (int n = 0; n < 20; ++n)
     {
-        EXPECT_NEAR(covered(0.55 - share, along), share, 1e-2) << share;
+        const RigidPose before = posed(middle() + n*step);
+        const RigidPose now = posed(middle() + (n + 1)*step);
+        cover(solid, before);
+        const Foam::scalarField had(covered_.primitiveField());
+        cover(solid, now);
+        forAll(covered_, cell)
+        {
+            const vector away = mesh().C()[cell] - middle();
+            const Foam::cell& faces = mesh().cells()[cell];
+            scalar came = 0;
+            bool along = faces.size() == 6 && Foam::mag(away.y()) < 0.3*side && Foam::mag(away.z()) < 0.3*side;
+            for (const Foam::label face : faces)
+            {
+                const vector outwards = mesh().faceOwner()[face] == cell ? mesh().faceAreas()[face]
+                                                                         : -mesh().faceAreas()[face];
+                along = along && cmptMax(cmptMag(outwards)) > 0.999999*Foam::mag(outwards);
+                came -= Foam::max(solid.coverOfFace(before, now, face), scalar(0))*(outwards & step);
+            }
+            if (along && had[cell] < 1)
+            {
+                cut += covered_[cell] > had[cell];
+                ASSERT_NEAR((covered_[cell] - had[cell])*mesh().V()[cell], came, 1e-3*mesh().V()[cell]);
+            }
+        }
     }
-    EXPECT_EQ(covered(-0.6, along), 1);
+    EXPECT_GT(Foam::returnReduce(cut, Foam::sumOp<int>()), 20);
 }
 
 TEST_F(MovingSolidTest, RefusesAMissingFile)
