@@ -8,12 +8,28 @@ namespace interstice
 
 using namespace Foam;
 
+namespace
+{
+
+constexpr double grip = 1000; // [1/s]
+
+} // namespace
+
+tmp<volScalarField> SolidsOnMesh::friction(const volScalarField&, const volScalarField&) const
+{
+    return covered_*dimensionedScalar("grip", dimless/dimTime, grip);
+}
+
 void SolidsOnMesh::share(const volScalarField&, const volScalarField&, volScalarField& resistance,
     volVectorField& source) const
 {
-    constexpr double grip = 1000; // [1/s]
     resistance.primitiveFieldRef() += grip*covered_;
     source.primitiveFieldRef() += grip*covered_.primitiveField()*velocity_;
+}
+
+tmp<surfaceScalarField> SolidsOnMesh::openFaces() const
+{
+    return 1 + 0*depthOfFaces_;
 }
 
 } // namespace interstice
