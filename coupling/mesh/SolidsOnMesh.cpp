@@ -196,9 +196,8 @@ tmp<volScalarField> SolidsOnMesh::friction(const volScalarField& voidFraction, c
 }
 
 void SolidsOnMesh::share(const volScalarField& voidFraction, const volScalarField& nu,
-    volScalarField& resistance, volVectorField& source) const
+    const volScalarField& friction, volScalarField& resistance, volVectorField& source) const
 {
-    const tmp<volScalarField> friction(this->friction(voidFraction, nu));
     forAll(depth_, celli)
     {
         if (depth_[celli] > farAway)
@@ -209,7 +208,7 @@ void SolidsOnMesh::share(const volScalarField& voidFraction, const volScalarFiel
             const double A = 1 - o*(1 - a);
             const double K = resistance[celli];
             const double faded = 1/(1 + K*sqr(std::cbrt(mesh_.V()[celli]))/nu[celli]);
-            const double sigma = min(K*c*A/(o*sqr(a)) + faded*friction()[celli], grip);
+            const double sigma = min(K*c*A/(o*sqr(a)) + faded*friction[celli], grip);
             resistance[celli] = K*A/a + sigma;
             source[celli] = A/a*source[celli] + sigma*velocity_[celli];
         }

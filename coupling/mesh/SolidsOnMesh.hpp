@@ -29,8 +29,9 @@ namespace interstice
 /// of the cell: with c of the cell in its place, air that goes with wall and bed seems to slip,
 /// by 1 - a of their speed, and its pressure grows without bound until the cell is covered. Of a bed, a
 /// face that is covered all over lets through a thousandth; of clear air, that in a covered cell is held
-/// so hard that what leaks through a wall is far below the minimum fluidisation velocity. (Brinkman penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999)
-/// 497-520; what becomes of cut cells and faces is ours.)
+/// so hard that what leaks through a wall is far below the minimum fluidisation velocity. (Brinkman
+/// penalisation: Angot, Bruneau & Fabrie, Numer. Math. 81 (1999) 497-520; what becomes of cut cells and
+/// faces is ours.)
 class SolidsOnMesh
 {
 public:
@@ -63,9 +64,11 @@ public:
     Foam::tmp<Foam::volScalarField> friction(
         const Foam::volScalarField& voidFraction, const Foam::volScalarField& nu) const;
 
-    /// From K/rho and its source, per open volume, to all that the air of a cell meets [1/s, m/s2].
+    /// From K/rho and its source, per open volume, to all that the air of a cell meets, with friction() that
+    /// fades where there is a bed [1/s, m/s2].
     void share(const Foam::volScalarField& voidFraction, const Foam::volScalarField& nu,
-        Foam::volScalarField& resistance, Foam::volVectorField& source) const;
+        const Foam::volScalarField& friction, Foam::volScalarField& resistance,
+        Foam::volVectorField& source) const;
 
     /// Of each face, on the way since the move before: what a flux passes through in a step.
     Foam::tmp<Foam::surfaceScalarField> openFaces() const; ///< 1 - c, more than zero

@@ -241,7 +241,7 @@ void AirFlow::begin(const PowderOnMesh& powder, const SolidsOnMesh& solids)
     if (solids.any())
     {
         friction_ = solids.friction(powder.voidFraction(), turbulence_->nuEff());
-        solids.share(powder.voidFraction(), turbulence_->nuEff(), resistance_, source_);
+        solids.share(powder.voidFraction(), turbulence_->nuEff(), friction_, resistance_, source_);
     }
     source_ += alpha_*(gravity_ + bodyForce_);
     report_.pressureIterations = 0;

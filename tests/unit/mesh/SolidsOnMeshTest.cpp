@@ -149,7 +149,8 @@ TEST_F(SolidsOnMeshTest, DrawsTheAirToWhereBodyAndPowderGo)
     volScalarField resistance = uniform(Foam::dimless/Foam::dimTime, K);
     volVectorField source = uniform(Foam::dimAcceleration, vector(K*wall));
 
-    solids.share(someVoidFraction(), uniform(Foam::dimViscosity, scalar(1.5e-5)), resistance, source);
+    const volScalarField nu = uniform(Foam::dimViscosity, scalar(1.5e-5));
+    solids.share(someVoidFraction(), nu, solids.friction(someVoidFraction(), nu), resistance, source);
 
     forAll(resistance, cell)
     {

@@ -20,11 +20,11 @@ tmp<volScalarField> SolidsOnMesh::friction(const volScalarField&, const volScala
     return covered_*dimensionedScalar("grip", dimless/dimTime, grip);
 }
 
-void SolidsOnMesh::share(const volScalarField&, const volScalarField&, volScalarField& resistance,
-    volVectorField& source) const
+void SolidsOnMesh::share(const volScalarField&, const volScalarField&, const volScalarField& friction,
+    volScalarField& resistance, volVectorField& source) const
 {
-    resistance.primitiveFieldRef() += grip*covered_;
-    source.primitiveFieldRef() += grip*covered_.primitiveField()*velocity_;
+    resistance.primitiveFieldRef() += friction;
+    source.primitiveFieldRef() += friction.primitiveField()*velocity_;
 }
 
 tmp<surfaceScalarField> SolidsOnMesh::openFaces() const
