@@ -72,6 +72,7 @@ private:
     void predictVelocity(Foam::fvVectorMatrix& UEqn);
     Foam::tmp<Foam::volVectorField> carried(const Foam::fvVectorMatrix& UEqn) const;
     void correctPressure(const Foam::volVectorField& carried, const SolidsOnMesh& solids);
+    void solvePressure(const Foam::surfaceScalarField& D, const Foam::surfaceScalarField& predicted);
     Foam::tmp<Foam::surfaceScalarField> memoryOfFlux() const;
     bool compressible() const { return compressibility_.value() > 0; }
     Foam::tmp<Foam::volScalarField> storage() const;

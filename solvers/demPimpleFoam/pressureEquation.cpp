@@ -37,6 +37,44 @@ tmp<surfaceScalarField> AirFlow::memoryOfFlux() const
     return memory;
 }
 
+// div(alpha U) = -d(alpha)/dt, with the flux predicted - D grad(p).
+void AirFlow::solvePressure(const surfaceScalarField& D, const surfaceScalarField& predicted)
+{
+    volScalarField gain(fvc::div(predicted) + ddtAlpha_);
+    if (p_.needReference() && !compressible())
+    {
+        // Nothing can leave a closed box: powder put in or taken out is shared among all cells.
+        const dimensionedScalar mean(gain.weightedAverage(mesh_.V()));
+        report_.spreadSource = mean.value()*gSum(mesh_.V());
+        gain -= mean;
+    }
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix pEqn
+        (
+            fvm::laplacian(D, p_) == gain
+        );
+        if (compressible())
+        {
+            const volScalarField taken(storage());
+            pEqn -= fvm::Sp(taken, p_) - taken*p_.oldTime();
+        }
+        else
+        {
+            pEqn.setReference(pRefCell_, pRefValue_);
+        }
+        const bool final = pimple_.finalInnerIter();
+        report_.pressureIterations +=
+            pEqn.solve(mesh_.solver(p_.select(final))).nIterations();
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            alphaPhi_ = predicted - pEqn.flux();
+        }
+    }
+}
+
 // With w = alpha U, the momentum of the air is
 //
 //     inertia w + bed (w - c U_w)/o + friction (w - alpha U_w) = h + b - grad(p)
@@ -75,39 +113,7 @@ void AirFlow::correctPressure(const volVectorField& carried, const SolidsOnMesh&
     predicted =
         fixedFlux_*fvc::interpolate(alpha_)*fvc::flux(U_) + (1 - fixedFlux_)*predicted;
 
-    volScalarField gain(fvc::div(predicted) + ddtAlpha_);
-    if (p_.needReference() && !compressible())
-    {
-        // Nothing can leave a closed box: powder put in or taken out is shared among all cells.
-        const dimensionedScalar mean(gain.weightedAverage(mesh_.V()));
-        report_.spreadSource = mean.value()*gSum(mesh_.V());
-        gain -= mean;
-    }
-
-    while (pimple_.correctNonOrthogonal())
-    {
-        fvScalarMatrix pEqn
-        (
-            fvm::laplacian(D, p_) == gain
-        );
-        if (compressible())
-        {
-            const volScalarField taken(storage());
-            pEqn -= fvm::Sp(taken, p_) - taken*p_.oldTime();
-        }
-        else
-        {
-            pEqn.setReference(pRefCell_, pRefValue_);
-        }
-        const bool final = pimple_.finalInnerIter();
-        report_.pressureIterations +=
-            pEqn.solve(mesh_.solver(p_.select(final))).nIterations();
-
-        if (pimple_.finalNonOrthogonalIter())
-        {
-            alphaPhi_ = predicted - pEqn.flux();
-        }
-    }
+    solvePressure(D, predicted);
 
     const surfaceScalarField airFlux((alphaPhi_ - covered)/open);
     gradP_ = bedFaces::pressureGradient(h - inertiaf*alphaPhi_, {bedResistance_, b, airFlux, whole_},
