@@ -111,7 +111,12 @@ def name(values, changes):
     """Readable, and the same whatever else is in the study. The hash is of all values, so that a
     result is not taken for one made with other defaults."""
     whole = json.dumps({key: text(value) for key, value in values.items()}, sort_keys=True)
-    code = hashlib.sha256(whole.encode()).hexdigest()[:10]
+    digest = hashlib.sha256(whole.encode()).hexdigest()[:10]
     ranks = [f"ranks{values['ranks']}"] if values["ranks"] != 1 else []
     words = "_".join([key + value for key, value in changes.items()] + ranks) or "base"
-    return re.sub(r"[^A-Za-z0-9.-]+", "_", words)[:80] + "_" + code
+    return re.sub(r"[^A-Za-z0-9.-]+", "_", words)[:80] + "_" + digest
+
+
+def code(name):
+    """The same for the same run, whatever the study calls it."""
+    return name[-10:]

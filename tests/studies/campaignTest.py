@@ -63,6 +63,46 @@ class Failures(ToyCase):
         self.assertEqual(again, {"modebroken", "modedumb", "modeshort"})
 
 
+class Reuse(ToyCase):
+    def testTakesGoodRunsOfOtherStudiesAndMakesTheOthers(self):
+        """Of speed and mode, in other orders: v 0.1 is there, v 0.2 not, broken failed there and runs again."""
+        self.study("vary: {mode: [plain, broken], shoeSpeed: [0.1]}\npackings: [1, 2]\nmeasures: [fillingRatio, slope]\n",
+                   name="one.yaml")
+        before = self.ran()
+        self.assertEqual(len(before), 4)
+        two = ("vary: {shoeSpeed: [0.1, 0.2], mode: [plain, broken]}\npackings: [1]\nmeasures: [fillingRatio]\n")
+        status, out, error = self.study(two, "--reuse")
+        self.assertEqual((status, error), (1, ""))
+        self.assertIn("1 runs are taken from other studies.", out)
+        self.assertIn("4 of 4 done, 2 failed", out)
+        self.assertEqual(len(self.ran()) - len(before), 3)
+        first = self.rows()[0]
+        self.assertEqual((first["shoeSpeed"], first["mode"], first["packings"]), ("0.1", "plain", "1"))
+        self.assertAlmostEqual(float(first["fillingRatio"]), 0.11, 9)
+
+    def testTakesNothingThatFailedOrLacksAMeasureOrIsOfAnotherCase(self):
+        self.study("packings: [1, 2]\n", name="one.yaml")
+        slopeOnly, failed = (self.results/f"one/runs/{run}/result.json" for run in
+                             sorted(path.name for path in self.results.glob("one/runs/*")))
+        content = json.loads(slopeOnly.read_text())
+        slopeOnly.write_text(json.dumps({**content, "measures": {"slope": content["measures"]["slope"]}}))
+        failed.write_text(json.dumps({**json.loads(failed.read_text()), "status": "failed"}))
+        status, out, _ = self.study("packings: [1, 2]\nmeasures: [slope, fillingRatio]\n", "--reuse", name="two.yaml")
+        self.assertEqual((status, len(self.ran())), (0, 4))
+        self.assertIn("0 runs are taken", out)
+        plans = [self.results/name/"plan.json" for name in ("one", "two")]
+        for plan in plans:
+            plan.write_text(json.dumps({**json.loads(plan.read_text()), "case": str(self.work)}))
+        status, out, _ = self.study("packings: [1]\nmeasures: [slope]\n", "--reuse", name="three.yaml")
+        self.assertEqual((status, len(self.ran())), (0, 5))
+        self.assertIn("0 runs are taken", out)
+
+    def testIsRefusedIfRunsAreKept(self):
+        status, _, error = self.study("packings: [1]\nkeep: yes\n", "--reuse")
+        self.assertEqual((status, self.ran()), (2, []))
+        self.assertIn("leave out --reuse or 'keep'", error)
+
+
 class Tables(ToyCase):
     def testHoldMeansErrorsAndDifferences(self):
         """fillingRatio = v + seed/100: mean v + 0.02, standard deviation 0.01, error 0.01/sqrt(3);
