@@ -73,7 +73,7 @@ class Reuse(ToyCase):
         two = ("vary: {shoeSpeed: [0.1, 0.2], mode: [plain, broken]}\npackings: [1]\nmeasures: [fillingRatio]\n")
         status, out, error = self.study(two, "--reuse")
         self.assertEqual((status, error), (1, ""))
-        self.assertIn("1 runs are taken from other studies.", out)
+        self.assertIn("1 runs are taken from other studies, 1 of version ", out)
         self.assertIn("4 of 4 done, 2 failed", out)
         self.assertEqual(len(self.ran()) - len(before), 3)
         first = self.rows()[0]
