@@ -125,6 +125,14 @@ class Panels(Folder):
         for x, y in points:
             self.assertAlmostEqual(y, 10*x, 6)  # as the rows above are made
 
+    def testAreOfParcelsOfOneSizeWhateverTheGrains(self):
+        """As filling.yaml and criticalSize.yaml have them; all with k = 10 are other parcels, but of one k."""
+        parcels = [{**one, "coarseGraining": round(400e-6/one["particleDiameter"], 4)} for one in GRID]
+        for name in ("fillingOverSize", "fillingOverReynolds", "forceOverDensity"):
+            self.drawn(parcels, name)
+        lone = [{**one, "coarseGraining": 5 if one["particleDiameter"] == 60e-6 else 10} for one in GRID]
+        self.refused("coarseGraining varies too", lone, "fillingOverSize")
+
     def testThatCannotBeDrawn(self):
         self.refused("dieLength and dieDepth have one value in table.csv; the study cavity.yaml", GRID,
                      "fillingOverCavity")

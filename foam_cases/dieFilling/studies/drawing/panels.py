@@ -158,7 +158,17 @@ def nothingElseVaries(table, rows, figure):
     known = {*ALONG[figure.x], figure.lines, figure.panels}
     keys = list(table.columns)
     keys = keys[keys.index("variant") + 1:keys.index("status")] if "status" in keys else []
+    if sameParcels(table, rows):
+        known.add("coarseGraining")
     others = [key for key in keys if key not in known and varies(rows, key)]
     if others:
         raise BadInput(f"{', '.join(others)} {'varies' if len(others) == 1 else 'vary'} too in "
                        f"{table.name}: choose by --where {others[0]}=VALUE.")
+
+
+def sameParcels(table, rows):
+    """As large in all rows, to a thousandth: grains of 40 and 60 um in parcels of k = 10 and 6.6667, as the studies of size have."""
+    if not {"coarseGraining", "particleDiameter"} <= set(rows[0]):
+        return False
+    sizes = [table.value(row, "coarseGraining")*table.value(row, "particleDiameter") for row in rows]
+    return max(sizes) < 1.001*min(sizes)
