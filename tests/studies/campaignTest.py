@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies of a toy case: failures are rows, kills lose nothing, the tables hold hand numbers."""
 import json
+import os
 import random
 import subprocess
 import sys
@@ -61,6 +62,17 @@ class Failures(ToyCase):
                          ["ok", "ok", "failed", "failed", "ok"])
         again = {name.split(".")[1].split("_")[0] for name in self.ran()[len(before):]}
         self.assertEqual(again, {"modebroken", "modedumb", "modeshort"})
+
+
+class DryRun(ToyCase):
+    def testIntoAPipeThatIsClosedSaysNothing(self):
+        """As in `--dry-run | head -1`."""
+        reader, writer = os.pipe()
+        os.close(reader)
+        path = self.write("vary: {shoeSpeed: [0.1, 0.2]}\n")
+        ended = subprocess.run([STUDY, path, "--dry-run"], stdout=writer, stderr=subprocess.PIPE, text=True)
+        os.close(writer)
+        self.assertEqual((ended.stderr, self.ran()), ("", []))
 
 
 class Reuse(ToyCase):
