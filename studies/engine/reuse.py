@@ -34,6 +34,6 @@ def goodResult(path, case):
     try:
         result = json.loads(path.read_text())
         ofCase = json.loads((path.parents[2]/"plan.json").read_text())["case"]
+        return result if result["status"] == "ok" and os.path.samefile(ofCase, case) else None
     except (OSError, ValueError, KeyError):
         return None
-    return result if result.get("status") == "ok" and os.path.samefile(ofCase, case) else None

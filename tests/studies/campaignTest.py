@@ -103,16 +103,19 @@ class Reuse(ToyCase):
         self.assertEqual((status, len(self.ran())), (0, 4))
         self.assertIn("0 runs are taken", out)
         plans = [self.results/name/"plan.json" for name in ("one", "two")]
-        for plan in plans:
-            plan.write_text(json.dumps({**json.loads(plan.read_text()), "case": str(self.work)}))
+        for plan, case in zip(plans, (self.work, self.work/"gone")):
+            plan.write_text(json.dumps({**json.loads(plan.read_text()), "case": str(case)}))
         status, out, _ = self.study("packings: [1]\nmeasures: [slope]\n", "--reuse", name="three.yaml")
         self.assertEqual((status, len(self.ran())), (0, 5))
         self.assertIn("0 runs are taken", out)
 
-    def testIsRefusedIfRunsAreKept(self):
+    def testIsRefusedIfRunsAreKeptOrNoneIsMade(self):
         status, _, error = self.study("packings: [1]\nkeep: yes\n", "--reuse")
         self.assertEqual((status, self.ran()), (2, []))
         self.assertIn("leave out --reuse or 'keep'", error)
+        status, _, error = self.study("packings: [1]\n", "--reuse", "--dry-run")
+        self.assertEqual(status, 2)
+        self.assertIn("--reuse is for studies that run", error)
 
 
 class Tables(ToyCase):
