@@ -40,7 +40,7 @@ class Lift(Case):
             f"{steps/TRAVEL:g} steps a cell", box, POWDER, U=(0, 0, SPEED), velocity=(0, 0, SPEED),
             k=spacing*(6/math.pi*(1 - VOID_FRACTION))**(1/3)/POWDER.diameter, motion="prescribed",
             deltaT=deltaT, endTime=steps*deltaT, writeInterval=deltaT, smoothingWidth=1.5*CELL,
-            timeStep="stabilityLimit 1000; parcelCourant 1000;", slices="x")
+            timeStep="stabilityLimit 1000; parcelCourant 1000;")
         self.top = (FLOOR + THICK)*CELL
         self.positions = [((i + 0.5)*spacing, (j + 0.5)*spacing, self.top + (n + 0.5)*spacing)
                           for n in range(BED*PER_CELL)
