@@ -18,7 +18,7 @@ packages=(
     cmake make g++ bzip2
     openfoam libopenmpi-dev openmpi-bin liggghts libliggghts-dev
     libeigen3-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
-    python3-matplotlib python3-numpy python3-yaml snakemake
+    python3-matplotlib python3-numpy python3-scipy python3-yaml snakemake
 )
 
 say() { printf 'set-up: %s\n' "$*"; }

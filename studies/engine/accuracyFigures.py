@@ -72,19 +72,18 @@ def changes(choices, measure, found):
 
 def onePanel(panel, choices, measure, axis, key, fit):
     """Its marks, to be labelled: time, change, words."""
-    own = [(choices.timeRatio(variant), difference(choices, variant, measure),
+    own = [(choices.timeRatio(variant), choices.timeRatioError(variant), difference(choices, variant, measure),
             valueText(choices, key, variant.changes[key])) for variant in choices.knobs[key]]
-    own = [(time, change, word) for time, change, word in own
-           if time is not None and change.value is not None]
-    noise = axis.scale*max((2*change.error for _, change, _ in own if change.error is not None),
+    own = [one for one in own if one[0] is not None and one[2].value is not None]
+    noise = axis.scale*max((2*change.error for _, _, change, _ in own if change.error is not None),
                            default=0)
     panel.axhspan(-noise, noise, color="0.92", lw=0, zorder=0)
     panel.axhline(0, color="0.7", lw=0.8, zorder=1)
     panel.set_title(key, fontsize=9)
     panel.plot(1, 0, marker="s", color=figures.ink, ms=4.5, ls="", zorder=4)
-    for time, change, _ in own:
+    for time, timeError, change, _ in own:
         colour = BLUE if change.resolved else GREY
-        panel.errorbar(time, axis.scale*change.value, axis.scale*(change.error or 0), color=colour,
+        panel.errorbar(time, axis.scale*change.value, axis.scale*(change.error or 0), timeError, color=colour,
                        marker="o", ms=4.5, mec="white", mew=0.4, capsize=2.5, elinewidth=0.9, zorder=3)
     if measure in choices.exact:
         off = choices.exact[measure] - choices.reference.values[measure]
@@ -93,7 +92,7 @@ def onePanel(panel, choices, measure, axis, key, fit):
         tendsTo(panel, axis, errorOfReference(choices, fit, key))
     marks = [(1, 0, 0, valueText(choices, key, choices.reference.parameters[key]))]
     marks += [(time, axis.scale*change.value, axis.scale*(change.error or 0), word)
-              for time, change, word in own]
+              for time, _, change, word in own]
     low, high = min(time for time, *_ in marks), max(time for time, *_ in marks)
     spread = max(high - low, 0.4)
     panel.set_xlim((low + high)/2 - 0.68*spread, (low + high)/2 + 0.85*spread)
@@ -143,12 +142,12 @@ def pareto(choices, measure, found):
     axis = Axis(choices, measure)
     all_ = front(choices, measure, found)
     fig, axes = plt.subplots(figsize=(1.6*figures.WIDTH, 0.95*figures.WIDTH), layout="constrained")
-    noise = axis.scale*max(choice.noise for choice in all_)
+    noise = axis.scale*next(choice.noise for choice in all_ if choice.variant is choices.reference)
     axes.axhspan(0, noise, color="0.92", lw=0, zorder=0, label="not told from 0")
     for best, colour, marker, words in ((False, GREY, "o", "beaten"), (True, BLUE, "D", "not beaten")):
         some = [choice for choice in all_ if choice.best == best]
         if some:
-            own = [choices.error(choice.variant, measure) or 0 for choice in some]
+            own = [choice.variant.errors[measure] or 0 for choice in some]
             axes.errorbar([c.time for c in some], [axis.scale*abs(c.distance) for c in some],
                           [axis.scale*error for error in own], color=colour, marker=marker, ls="",
                           ms=5, mec="white", mew=0.4, capsize=2, elinewidth=0.8, label=words,
@@ -166,7 +165,7 @@ def pareto(choices, measure, found):
     axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     fig.draw_without_rendering()
     label(axes, [(c.time, axis.scale*abs(c.distance),
-                  axis.scale*(choices.error(c.variant, measure) or 0),
+                  axis.scale*(c.variant.errors[measure] or 0),
                   LETTERS[some.index(c) % 26] if c.best else "")
                  for c in sorted(all_, key=lambda c: c.time)], 7)
     return fig

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import accuracyFit
 from shownAs import isNumber
 
-SLOWER = 1.05  # over the reference's time; less may be the machine's mood
+SLOWER = 1.05  # over the reference's time; less, or less than two errors of it, may be the machine's mood
 
 
 @dataclass
@@ -42,8 +42,8 @@ def difference(choices, variant, measure):
     one, other = variant.values[measure], choices.reference.values[measure]
     if one is None or other is None:
         return Number(None)
-    return Number(one - other, combined(choices.error(variant, measure),
-                                        choices.error(choices.reference, measure)))
+    return Number(one - other, combined(variant.errors[measure],
+                                        choices.reference.errors[measure]))
 
 
 def offExact(choices, variant, measure):
@@ -51,7 +51,7 @@ def offExact(choices, variant, measure):
     value = variant.values[measure]
     if value is None:
         return Number(None)
-    return Number(value - choices.exact[measure], choices.error(variant, measure))
+    return Number(value - choices.exact[measure], variant.errors[measure])
 
 
 def fits(choices, measure, orders):
@@ -61,7 +61,7 @@ def fits(choices, measure, orders):
         own = choices.reference.parameters[key]
         if key not in orders or not isNumber(own):
             continue
-        points = [(variant.parameters[key], variant.values[measure], choices.error(variant, measure))
+        points = [(variant.parameters[key], variant.values[measure], variant.errors[measure])
                   for variant in [choices.reference, *variants]
                   if variant.values[measure] is not None and isNumber(variant.parameters[key])
                   and variant.parameters[key] > 0]
@@ -110,7 +110,7 @@ def front(choices, measure, found):
         time, value = choices.timeRatio(variant), variant.values[measure]
         if value is None or time is None or not all(map(isNumber, variant.changes.values())):
             continue
-        error = combined(choices.error(variant, measure), best.error)
+        error = combined(variant.errors[measure], best.error)
         all_.append(Choice(variant, choices.nameOf(variant), time, value - best.value, 2*(error or 0)))
     for one in all_:
         one.best = not any(beats(other, one) for other in all_)
@@ -142,7 +142,8 @@ def nextMinute(choices, measure, found):
     steps = []
     for key, variants in choices.knobs.items():
         slower = [v for v in variants if v.values[measure] is not None and v.seconds
-                  and isNumber(v.parameters[key]) and choices.timeRatio(v) > SLOWER]
+                  and isNumber(v.parameters[key])
+                  and choices.timeRatio(v) > max(SLOWER, 1 + 2*(choices.timeRatioError(v) or 0))]
         if not slower or choices.reference.values[measure] is None:
             continue
         own = [step(choices, measure, key, variant, slower, found.get(key)) for variant in slower]

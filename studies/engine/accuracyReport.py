@@ -33,7 +33,8 @@ def rows(choices):
     for key, variants in choices.knobs.items():
         for variant in variants:
             row = {"knob": key, "value": text(variant.changes[key]),
-                   "timeRatio": choices.timeRatio(variant), **variant.times}
+                   "timeRatio": choices.timeRatio(variant), "timeRatio.error": choices.timeRatioError(variant),
+                   **variant.times}
             for measure in choices.measures:
                 change = difference(choices, variant, measure)
                 row[f"{measure}.difference"] = change.value
@@ -67,8 +68,8 @@ def introduction(choices):
              "with the standard error of both. *Resolved* is more than twice that error; what is not "
              "resolved may be scatter of the packings alone.")
     if choices.pooled:
-        words += (" The errors of few packings are hardly known themselves: the scatter of all rows "
-                  "is taken together, as if it were the same in all.")
+        words += (" The errors of few packings are hardly known themselves: the scatter of all rows that scatter "
+                  "alike is taken together.")
     return words
 
 
@@ -101,10 +102,13 @@ class Shown:
 def ownValue(choices, measure):
     shown = Shown(choices, measure)
     words = "The reference: " + shown.value(choices.reference.values[measure],
-                                            choices.error(choices.reference, measure)) + "."
+                                            choices.reference.errors[measure]) + "."
     if measure in choices.pooled:
         words += (f" Scatter of one packing: {shown.scale*choices.pooled[measure]:.2g}"
                   f"{shown.differenceUnit}.")
+    if choices.apart.get(measure):
+        words += (" Set apart, with their own errors, as they scatter more (Cochran's test): "
+                  + ", ".join(map(choices.nameOf, choices.apart[measure])) + ".")
     if measure in choices.exact:
         off = offExact(choices, choices.reference, measure)
         words += (f" The exact answer is {shown.value(choices.exact[measure], None)}: it is "
@@ -120,9 +124,9 @@ def changes(choices, measure):
     shown, lines, exact = Shown(choices, measure), [], measure in choices.exact
     for key, variants in choices.knobs.items():
         for variant in variants:
-            change, time = difference(choices, variant, measure), choices.timeRatio(variant)
+            change = difference(choices, variant, measure)
             words = "" if change.value is None else shown.pair(change.value, change.error, "+")
-            lines.append([key, text(variant.changes[key]), "" if time is None else f"{time:.3g}",
+            lines.append([key, text(variant.changes[key]), timeOf(choices, variant),
                           f"**{words}**" if change.resolved else words, change.verdict])
             if exact:
                 off = offExact(choices, variant, measure)
@@ -130,6 +134,11 @@ def changes(choices, measure):
     unit = shown.differenceUnit.strip()
     return table(["knob", "value", "time over the reference's", "difference" + (f" [{unit}]" if unit
                  else ""), "verdict"] + ["off the exact answer"]*exact, lines)
+
+
+def timeOf(choices, variant):
+    ratio, error = choices.timeRatio(variant), choices.timeRatioError(variant)
+    return "" if ratio is None else f"{ratio:.3g}" if error is None else f"{ratio:.2f} ± {error:.2f}"
 
 
 def limits(choices, measure, found):

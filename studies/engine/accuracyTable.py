@@ -2,19 +2,18 @@
 """Reads a study's table as choices of the numerics: what each is worth, and what it takes.
 
 A *knob* is a parameter that some variants change alone against the reference; of parameters that are
-changed in step, the first stands for all. Standard errors of few packings are hardly known
-themselves, so that all rows' scatter is taken together. Of some measures the *exact* answer is
+changed in step, the first stands for all. Standard errors of few packings are taken together (scatter),
+and so are those of times. Of some measures the *exact* answer is
 known: the case says so, or the user. Time is that of the solver, if the table tells it: whether a bed
 had to be poured anew for a variant is no matter of its knob.
 """
 import math
 from dataclasses import dataclass, field
 
+import scatter
 from badInput import BadInput, nearest
 from shownAs import isNumber, text
 from tableFile import number
-
-ENOUGH = 10  # packings from which on a row's own error is trusted
 
 
 @dataclass
@@ -24,6 +23,7 @@ class Variant:
     changes: dict  # against the reference
     times: dict  # column of the table -> s, or None if there is no good run
     seconds: float  # the one that counts
+    secondsError: float  # of it
     packings: int
     values: dict = field(default_factory=dict)  # measure -> mean or None
     errors: dict = field(default_factory=dict)  # measure -> standard error or None
@@ -53,12 +53,13 @@ class Choices:
         if knobs:
             self.variants = [variant for variant in self.variants
                              if all(key in self.knobs for key in variant.changes)]
-        self.pooled = {} if trustErrors else {key: self.pool(key) for key in self.measures}
-        self.pooled = {key: value for key, value in self.pooled.items() if value is not None}
+        self.pooled, self.apart = {}, {}  # measure -> standard deviation of one packing, variants that scatter more
+        if not trustErrors:
+            self.takeTogether()
 
     def chosenMeasures(self, wanted):
         there = [column[:-len(".error")] for column in self.table.columns
-                 if column.endswith(".error")]
+                 if column.endswith(".error") and column.split(".")[0] != "seconds"]
         for name in wanted or ():
             if name not in there:
                 raise BadInput(f"{self.table.name} has no measure '{name}' with its error; "
@@ -80,7 +81,7 @@ class Choices:
     def variant(self, row, keys):
         parameters = {key: number(row[key]) for key in keys}
         times = {column: self.cell(row, column) for column in row if column.split(".")[0] == "seconds"}
-        found = Variant(row["variant"], parameters, {}, times, times[self.clock],
+        found = Variant(row["variant"], parameters, {}, times, times[self.clock], times.get(f"{self.clock}.error"),
                         int(self.cell(row, "packings") or 0) if "packings" in row else 0)
         for key in self.measures:
             found.values[key] = self.cell(row, key)
@@ -154,25 +155,30 @@ class Choices:
         return {key: sorted(variants, key=lambda v, k=key: order(v, k))
                 for key, variants in found.items() if not wanted or key in wanted}
 
-    def pool(self, measure):
-        """Standard deviation of one packing, of all rows together; None if each has enough."""
-        known = [variant for variant in self.variants
-                 if variant.errors[measure] is not None and variant.packings > 1]
-        if not known or all(variant.packings >= ENOUGH for variant in known):
-            return None
-        freedom = sum(variant.packings - 1 for variant in known)
-        squares = math.fsum((variant.packings - 1)*variant.packings*variant.errors[measure]**2
-                            for variant in known)
-        return math.sqrt(squares/freedom)
-
-    def error(self, variant, measure):
-        """Standard error of a mean, or None."""
-        if measure in self.pooled and variant.packings:
-            return self.pooled[measure]/math.sqrt(variant.packings)
-        return variant.errors[measure]
+    def takeTogether(self):
+        """Errors of few packings, and of their times in shares of these, become those of all rows together."""
+        for measure in self.measures:
+            found = scatter.together([(variant.packings, variant.errors[measure]) for variant in self.variants])
+            for variant, error in zip(self.variants, found.errors):
+                variant.errors[measure] = error
+            if found.onePacking is not None:
+                self.pooled[measure] = found.onePacking
+                self.apart[measure] = [self.variants[i] for i in found.apart]
+        timed = [variant for variant in self.variants if variant.seconds]
+        found = scatter.together([(variant.packings, variant.secondsError and variant.secondsError/variant.seconds)
+                                  for variant in timed])
+        for variant, error in zip(timed, found.errors):
+            variant.secondsError = error and error*variant.seconds
 
     def timeRatio(self, variant):
         return variant.seconds/self.reference.seconds if variant.seconds else None
+
+    def timeRatioError(self, variant):
+        """Standard error, or None."""
+        both = (variant, self.reference)
+        if not all(one.seconds and one.secondsError is not None for one in both):
+            return None
+        return self.timeRatio(variant)*math.hypot(*(one.secondsError/one.seconds for one in both))
 
     def nameOf(self, variant):
         return " ".join(f"{key}={text(value)}" for key, value in variant.changes.items()) or "reference"

@@ -24,7 +24,7 @@ def tornado(choices, measure, target, folder):
         return []
     axis = Axis(choices, measure)
     fig, axes = plt.subplots(figsize=(WIDE, 1 + ROW*len(ranks)), layout="constrained")
-    own, error = choices.reference.values[measure], choices.error(choices.reference, measure)
+    own, error = choices.reference.values[measure], choices.reference.errors[measure]
     lines(axes, axis, own, error, target)
     marks = [row(axes, choices, measure, place, one) for place, one in enumerate(ranks)]
     axes.set_yticks(range(len(ranks)), [one.parameter for one in ranks])
@@ -54,7 +54,7 @@ def lines(axes, axis, own, error, target):
 def row(axes, choices, measure, place, one):
     """Marks to be labelled: value, words."""
     axis, reference = Axis(choices, measure), choices.reference
-    own = Number(reference.values[measure], choices.error(reference, measure))
+    own = Number(reference.values[measure], reference.errors[measure])
     axes.plot([axis.scale*one.lowest.y, axis.scale*one.highest.y], [place, place], color="0.75", lw=3,
               solid_capstyle="butt", zorder=1.5)
     found = []
@@ -108,7 +108,7 @@ def moments(choices, measures, target, folder):
                 if variant.values[measure] is not None]
         axes.plot(some, [place]*len(some), marker="|", ms=11, color=GREY, ls="", zorder=2,
                   label="" if place else "all variants")
-        own, error = choices.reference.values[measure], choices.error(choices.reference, measure)
+        own, error = choices.reference.values[measure], choices.reference.errors[measure]
         if own is not None:
             axes.errorbar(axis.scale*own, place, xerr=axis.scale*(error or 0), color=BLUE, marker="s", ms=5,
                           mec="white", mew=0.4, capsize=2.5, zorder=3, ls="", label="" if place else "reference")

@@ -30,7 +30,7 @@ class Grid:
 
     def point(self, at, x, y, measure):
         variant = self.variants[x, y]
-        return Point(at, variant.values[measure], self.choices.error(variant, measure))
+        return Point(at, variant.values[measure], variant.errors[measure])
 
     def named(self, *pair):
         return ", ".join(f"{key} {self.choices.table.written(key, value)}" for key, value in zip(self.keys, pair))

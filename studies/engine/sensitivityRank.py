@@ -79,8 +79,8 @@ def ranking(choices, measure):
         return []
     found = []
     for key, variants in choices.knobs.items():
-        reference = Point(choices.reference.parameters[key], own, choices.error(choices.reference, measure))
-        points = [Point(variant.parameters[key], variant.values[measure], choices.error(variant, measure))
+        reference = Point(choices.reference.parameters[key], own, choices.reference.errors[measure])
+        points = [Point(variant.parameters[key], variant.values[measure], variant.errors[measure])
                   for variant in variants if variant.values[measure] is not None]
         if points:
             found.append(Influence(key, [reference, *points], reference))

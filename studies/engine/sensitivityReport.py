@@ -71,8 +71,8 @@ def introduction(choices, measures):
               "large. *Elasticity*: d ln y/d ln x, of parameters that are numbers; zero has no logarithm and is left "
               "out.")
     if choices.pooled:
-        words += (" Errors are of the scatter of all rows together, as if it were the same in all: those of few "
-                  "packings are hardly known themselves.")
+        words += (" Errors are of the scatter of all rows together that scatter alike: those of few packings are hardly "
+                  "known themselves.")
     left = [variant for variant in choices.variants if len(variant.changes) > 1]
     if left:
         words += f" Left out, as they change more than one parameter: {len(left)} variants."
@@ -121,7 +121,7 @@ def aimed(choices, measure, ranks, target):
     """Plain words: which values reach the target, which parameters cannot do it alone."""
     shown = Shown(choices, measure)
     goal = f"{shown.scale*target:.4g}{shown.unit}"
-    own = Number(choices.reference.values[measure] - target, choices.error(choices.reference, measure))
+    own = Number(choices.reference.values[measure] - target, choices.reference.errors[measure])
     parts = [f"### {goal}", "The reference is "
              + shown.pair(abs(own.value), own.error) + (shown.differenceUnit or "")
              + (" above it." if own.value > 0 else " below it.")
@@ -183,7 +183,7 @@ def momentsOf(choices, moments, targets):
     target = next((targets[measure] for measure in moments if measure in targets), None)
     for measure in moments:
         shown, value = Shown(choices, measure), choices.reference.values[measure]
-        error = choices.error(choices.reference, measure)
+        error = choices.reference.errors[measure]
         some = [variant.values[measure] for variant in choices.variants if variant.values[measure] is not None]
         away = "" if target is None or value is None else shown.pair(value - target, error, "+") + shown.differenceUnit
         lines.append([measure, "" if value is None else shown.value(value, error),

@@ -89,8 +89,7 @@ def summarised(plan, results):
             **variant, "status": state(own, good), "packings": len(good),
             "means": {key: meanAndError([result["measures"].get(key) for result in good])
                       for key in plan["measures"]},
-            "seconds": {key: meanAndError([secondsOf(result, stages)[key] for result in good])[0]
-                        for key in secondsOf(NOTHING, stages)}})
+            "seconds": meanSeconds([secondsOf(result, stages) for result in good], secondsOf(NOTHING, stages))})
     for number, variant in enumerate(variants):
         reference = variant["reference"]
         if reference is not None:
@@ -100,6 +99,13 @@ def summarised(plan, results):
                  pairedError(plan, results, key, number, reference))
                 for key in plan["measures"]}
     return variants
+
+
+def meanSeconds(results, keys):
+    """With errors of the whole ones: what else the machine does is in them."""
+    means = {key: meanAndError([result[key] for result in results]) for key in keys}
+    return {**{key: mean for key, (mean, _) in means.items()},
+            **{f"{key}.error": means[key][1] for key in ("seconds", "seconds.solver")}}
 
 
 def pairedError(plan, results, key, number, reference):
