@@ -18,23 +18,23 @@ sys.dont_write_bytecode = True
 case = Path(__file__).resolve().parent
 root = next((p for p in case.parents if (p/"liggghts_scripts").is_dir()), None) or Path(
     os.environ.get("INTERSTICE_ROOT") or sys.exit("INTERSTICE_ROOT is not set: source cmake/environment.sh of Interstice"))
-sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(case/"scene")]
+sys.path[:0] = [str(case/"plotting"), str(root/"foam_cases/common"), str(root/"studies/measures"), str(case/"scene")]
 
 import resolution
+import runTables
 import section
 import uniformity
 from picture import blue as withAir
 from picture import grey, plt, save
 from picture import red as noAir
-from runFolder import cells, derived, instants, parcels, starts, stations, table
+from runFolder import cells, derived, instants, parcels, stations, table
 
 twin = case/"variants/noAir"
 
 
 def moments(folder):
     """Name -> (time, filling ratio) as the run found them."""
-    rows = [line.split() for _, path in starts(folder, "fillingRatio/*/moments.dat")
-            for line in path.read_text().splitlines() if not line.startswith("#")]
+    rows = runTables.joined(folder, "fillingRatio/*/moments.dat")
     return {moment: (float(time), float(value)) for time, moment, value in rows}
 
 

@@ -6,6 +6,8 @@ import math
 import re
 import sys
 
+import runTables
+
 STEPS = {
     "peakAirSpeed": dict(unit="m/s", symbol="u_max", text="highest air speed"),
     "maxCourant": dict(unit="1", symbol="Co", text="highest Courant number of the air"),
@@ -27,28 +29,16 @@ STEP = re.compile(r"^t = (\S+) s .* dt (\S+) s \(([^,)]+),")
 AIR = re.compile(r"air max (\S+) m/s, Co (\S+), p iterations (\d+)")
 
 
-def starts(case, name):
-    """Tables of each start of a run that was resumed, in their order: (start time, rows)."""
-    found = sorted((float(path.parent.name), path)
-                   for path in (case/"postProcessing").glob(name))
-    for start, path in found:
-        lines = path.read_text().splitlines()
-        yield start, [line.split() for line in lines if line and line[0] != "#"]
-
-
 def table(case, name, *columns):
     """Rows of the wanted columns, time first; the columns by their headings, without units."""
-    path = next((case/"postProcessing").glob(f"{name}/*/{name}.dat"), None)
+    pattern = f"{name}/*/{name}.dat"
+    path = next((path for _, path in runTables.files(case, pattern)), None)
     if path is None:
         return []
     with open(path) as file:
         heads = [head.strip("# ").split(" [")[0] for head in file.readline().split("\t")]
     wanted = [0] + [heads.index(column) for column in columns]
-    rows = []
-    for start, new in starts(case, f"{name}/*/{name}.dat"):
-        rows = [row for row in rows if row[0] <= start]
-        rows += [[float(row[column]) for column in wanted] for row in new]
-    return rows
+    return [[float(row[column]) for column in wanted] for row in runTables.joined(case, pattern)]
 
 
 def balance(case):

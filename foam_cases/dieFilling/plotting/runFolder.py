@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 import parameters
+import runTables
 import shoePath
 
 TIME = re.compile(rb"TimeValue 1 1 \w+\s+(\S+)")
@@ -33,17 +34,8 @@ def stations(d):
 
 def table(folder, name):
     """Columns of a function object's table, or None."""
-    rows = None
-    for start, path in starts(folder, f"{name}/*/{name}.dat"):
-        new = np.loadtxt(path, ndmin=2)
-        rows = new if rows is None else np.concatenate([rows[rows[:, 0] <= start], new])
-    return rows
-
-
-def starts(folder, pattern):
-    """Files of each start of a run that was resumed, in their order: (start time, path)."""
-    found = (folder/"postProcessing").glob(pattern)
-    return sorted((float(path.parent.name), path) for path in found)
+    rows = runTables.joined(folder, f"{name}/*/{name}.dat")
+    return np.array(rows, float) if rows else None
 
 
 def instants(folder, name="VTK"):
