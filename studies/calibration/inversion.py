@@ -1,21 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which friction and rolling friction give two angles, and how well the angles determine them.
+"""Which friction and rolling friction give two angles, and how well these determine them; a coefficient that was
+measured otherwise is one number more that they have to give.
 
 The region of 95 % confidence holds all pairs whose angles, on the surfaces, differ from the given ones
 by no more than the errors of both allow together:
 
-    sum over both angles (surface - given)^2/(error of surface^2 + error of given^2) <= 2 F(2, nu)
+    S = sum over all given numbers of (what the pair has - given)^2/(error of surface^2 + error of given^2)
+    S - least S <= 2 F(2, nu)
 
-It is scanned over the whole grid, so that it needs no linearisation, and must lie inside. Standard
-errors are from the slopes there (delta method); the intervals are quantiles of answers to angles and
+The least S is 0 for two angles, which a pair can give exactly; that of three numbers must not exceed F(1, nu), or they
+contradict. The region is scanned over the whole grid, so that it needs no linearisation, and must lie inside. Standard
+errors are from the slopes there (delta method); the intervals are quantiles of answers to given numbers and
 surfaces drawn at random within their errors.
 """
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import stdtrit
 
 from badInput import BadInput
-from responseSurface import AXES
+from responseSurface import AXES, TERMS
 
 CELLS, DRAWS, SEED = 101, 2000, 20260
 CONFIDENCE = 0.95
@@ -35,50 +39,59 @@ class Answer:
 
 
 class Question:
-    """Two surfaces, two angles and their errors."""
+    """Two surfaces, two angles and their errors; and of coefficients that are known besides: (axis, value, error)."""
 
-    def __init__(self, surfaces, angles, errors, low, high):
+    def __init__(self, surfaces, angles, errors, low, high, known=()):
         self.surfaces, self.low, self.high = surfaces, np.asarray(low, float), np.asarray(high, float)
-        self.angles, self.errors = np.asarray(angles, float), np.asarray(errors, float)
+        self.axes = [axis for axis, _, _ in known]
+        self.given = np.array([*angles, *(value for _, value, _ in known)], float)
+        self.errors = np.array([*errors, *(error for _, _, error in known)], float)
+        self.freedom = np.array([*(one.freedom for one in surfaces), *(np.inf for _ in known)])
 
-    def both(self, x, coefficients=(None, None)):
-        return np.stack([one.at(x, c) for one, c in zip(self.surfaces, coefficients)], axis=-1)
+    @property
+    def names(self):
+        return "two angles" + "".join(f" and the {AXES[axis]}" for axis in self.axes)
+
+    def all(self, x, coefficients=(None, None)):
+        """What a pair has of the given: angles, then the coefficients that are known."""
+        angles = [one.at(x, c) for one, c in zip(self.surfaces, coefficients)]
+        return np.stack([*angles, *(np.asarray(x)[..., axis] for axis in self.axes)], axis=-1)
 
     def slopes(self, x, coefficients=(None, None)):
-        return np.stack([one.slopes(x, c) for one, c in zip(self.surfaces, coefficients)], axis=-2)
+        angles = [one.slopes(x, c) for one, c in zip(self.surfaces, coefficients)]
+        return np.stack([*angles, *(np.broadcast_to(np.eye(2)[axis], angles[0].shape) for axis in self.axes)], axis=-2)
 
-    def fitErrors(self, x):
-        return np.stack([one.error(x) for one in self.surfaces], axis=-1)
+    def variance(self, x):
+        """Of each difference between a pair and what is given."""
+        fit = [one.error(x) for one in self.surfaces]
+        return np.stack([*fit, *(np.zeros_like(fit[0]) for _ in self.axes)], axis=-1)**2 + self.errors**2
 
     def distance(self, x):
-        """The sum above, and its limit 2 F(2, nu), which has a closed form; nu after Welch and
-        Satterthwaite, the smaller one of both angles."""
-        fit = self.fitErrors(x)**2
-        distance = np.sum((self.both(x) - self.angles)**2/(fit + self.errors**2), axis=-1)
-        freedom = np.array([one.freedom for one in self.surfaces])
-        nu = np.min((fit + self.errors**2)**2*freedom/np.maximum(fit**2, 1e-300), axis=-1)
+        """The sum S, and its limits 2 F(2, nu), which has a closed form, and F(1, nu); nu after Welch and
+        Satterthwaite, the smallest of all."""
+        variance = self.variance(x)
+        distance = np.sum((self.all(x) - self.given)**2/variance, axis=-1)
+        nu = np.min(variance**2*self.freedom/np.maximum((variance - self.errors**2)**2, 1e-300), axis=-1)
         nu = np.minimum(nu, 1e6)
-        return distance, nu*((1 - CONFIDENCE)**(-2/nu) - 1)
+        return distance, nu*((1 - CONFIDENCE)**(-2/nu) - 1), stdtrit(nu, 0.5*(1 + CONFIDENCE))**2
 
-    def holds(self, x):
-        distance, limit = self.distance(x)
-        return distance <= limit
-
-    def solved(self, start, angles, coefficients=(None, None)):
-        """Newton's method for many at a time, kept near the grid; and which of them arrived on it."""
+    def solved(self, start, given, coefficients=(None, None)):
+        """Least squares by Gauss and Newton for many at a time, kept near the grid; and which of them arrived on it."""
         x = np.array(start, float)
         reach = self.high - self.low
         floor = np.maximum(self.low - 0.3*reach, 0.2*self.low)
+        weight = 1/np.sqrt(self.variance(x))
         for _ in range(40):
-            left = angles - self.both(x, coefficients)
-            slopes = self.slopes(x, coefficients)*reach
-            step = solve2(slopes, left)
+            left = (given - self.all(x, coefficients))*weight
+            slopes = self.slopes(x, coefficients)*reach*weight[..., None]
+            step = solve2(np.swapaxes(slopes, -1, -2)@slopes, np.einsum("...ij,...i->...j", slopes, left))
             longest = np.max(np.abs(step), axis=-1, keepdims=True)
-            x = x + step*reach/np.maximum(1, longest/0.2)
-            x = np.clip(x, floor, self.high + 0.3*reach)
-            if np.abs(left).max() < 1e-9:
+            x = np.clip(x + step*reach/np.maximum(1, longest/0.2), floor, self.high + 0.3*reach)
+            if longest.max() < 1e-9:
                 break
-        near = np.abs(angles - self.both(x, coefficients)).max(axis=-1) < 1e-5
+        near = np.max(np.abs(step), axis=-1) < 1e-5
+        if not self.axes:
+            near &= np.abs(given - self.all(x, coefficients)).max(axis=-1) < 1e-5
         return x, near & self.onGrid(x)
 
     def onGrid(self, x):
@@ -116,9 +129,20 @@ def pair(x):
     return ", ".join(f"{key} {value:.3g}" for key, value in zip(AXES, x))
 
 
-def tooLoose(how):
-    return BadInput(f"The two angles do not determine both {AXES[0]} and {AXES[1]}: {how}; give the angles "
-                    "with smaller errors, run more packings, or take a wider grid.")
+def tooLoose(q, how):
+    another = "" if q.axes else ", or friction as it was measured otherwise (--friction)"
+    return BadInput(f"The {q.names} do not determine both {AXES[0]} and {AXES[1]}: {how}; give them "
+                    f"with smaller errors{another}, run more packings, or take a wider grid.")
+
+
+def contradiction(q, x):
+    has = q.all(x)
+    told = f"{has[0]:.3g} and {has[1]:.3g} degrees, wanted are {q.given[0]:.3g} and {q.given[1]:.3g}"
+    if q.axes:
+        return BadInput(f"No {AXES[0]} and {AXES[1]} of the grid give the {q.names}: the closest, {pair(x)}, give {told}, "
+                        f"and {AXES[q.axes[0]]} {q.given[2]:.3g}; look at what was measured, or take a wider grid.")
+    return BadInput(f"No {AXES[0]} and {AXES[1]} of the grid give both angles: the closest, {pair(x)}, give {told}; "
+                    "take a wider grid.")
 
 
 def answer(question, draws=DRAWS, cells=CELLS):
@@ -126,22 +150,24 @@ def answer(question, draws=DRAWS, cells=CELLS):
     q = question
     axes = [np.linspace(low, high, cells) for low, high in zip(q.low, q.high)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-    distance, limit = q.distance(grid)
+    distance, limit, agreement = q.distance(grid)
     best = np.unravel_index(np.argmin(distance), distance.shape)
-    mask = distance <= limit
-    value, arrived = q.solved(grid[best], q.angles)
+    value, arrived = q.solved(grid[best], q.given)
+    least = 0.0
+    if q.axes:
+        least = min(distance[best], q.distance(value)[0] if arrived else np.inf)
+        if least > agreement[best]:
+            raise contradiction(q, value if arrived else grid[best])
+    mask = distance - least <= limit
     if not (mask.any() or arrived):
-        raise BadInput(f"No {AXES[0]} and {AXES[1]} of the grid give both angles: the closest, "
-                       f"{pair(grid[best])}, give {q.both(grid[best])[0]:.3g} and "
-                       f"{q.both(grid[best])[1]:.3g} degrees, wanted are {q.angles[0]:.3g} and "
-                       f"{q.angles[1]:.3g}; take a wider grid.")
+        raise contradiction(q, grid[best])
     mask[best] = True
     border = np.ones_like(mask)
     border[1:-1, 1:-1] = False
     border |= ~q.onGrid(grid)
     if (mask & border).any():
         ends = [(grid[mask][:, i].min(), grid[mask][:, i].max()) for i in (0, 1)]
-        raise tooLoose("the region of 95 % confidence leaves the grid, where it reaches over "
+        raise tooLoose(q, "the region of 95 % confidence leaves the grid, where it reaches over "
                        + " and ".join(f"{key} {low:.3g} to {high:.3g}"
                                       for key, (low, high) in zip(AXES, ends)))
     start = np.zeros_like(mask)
@@ -152,27 +178,33 @@ def answer(question, draws=DRAWS, cells=CELLS):
         raise BadInput(f"Two pairs give both angles, {pair(grid[best])} and {pair(other)}: take a smaller "
                        "grid, around one of them.")
     if not arrived:
-        raise tooLoose(f"at {pair(grid[best])} both angles depend on them in the same way")
+        raise tooLoose(q, f"at {pair(grid[best])} all depend on them in the same way")
     return withErrors(q, value, grid[mask], draws)
 
 
 def withErrors(q, value, region, draws):
-    slopes = np.linalg.inv(q.slopes(value))
-    covariance = slopes@np.diag(q.fitErrors(value)**2 + q.errors**2)@slopes.T
+    slopes = q.slopes(value)
+    covariance = np.linalg.inv(slopes.T@(slopes/q.variance(value)[:, None]))
     error = np.sqrt(np.diag(covariance))
     random = np.random.default_rng(SEED)
-    angles = q.angles + q.errors*random.standard_normal((draws, 2))
+    given = q.given + q.errors*random.standard_normal((draws, len(q.given)))
     coefficients = []
     for one in q.surfaces:
         spread = np.sqrt(one.freedom/random.chisquare(one.freedom, (draws, 1)))
         root = np.linalg.cholesky(one.covariance + 1e-30*np.eye(len(one.covariance)))
-        coefficients.append(one.coefficients + spread*(random.standard_normal((draws, 6))@root.T))
-    drawn, arrived = q.solved(np.tile(value, (draws, 1)), angles, coefficients)
+        coefficients.append(one.coefficients + spread*(random.standard_normal((draws, TERMS))@root.T))
+    drawn, arrived = q.solved(np.tile(value, (draws, 1)), given, coefficients)
     outside = 1 - arrived.mean()
     if outside > 1 - CONFIDENCE:
-        raise tooLoose(f"with angles and surfaces drawn within their errors, {100*outside:.0f} % of the "
+        raise tooLoose(q, f"with angles and surfaces drawn within their errors, {100*outside:.0f} % of the "
                        "answers lie outside the grid")
     low, high = np.quantile(drawn[arrived], [0.5*(1 - CONFIDENCE), 0.5*(1 + CONFIDENCE)], axis=0)
     around = np.vstack([region, value])
     return Answer(value, error, covariance[0, 1]/np.prod(error), low, high, around.min(axis=0),
-                  around.max(axis=0), outside, q.holds)
+                  around.max(axis=0), outside, lambda x: holds(q, value, x))
+
+
+def holds(q, value, x):
+    """Whether a pair lies in the region."""
+    distance, limit, _ = q.distance(x)
+    return distance - q.distance(value)[0]*bool(q.axes) <= limit

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An angle as a smooth function of friction and rolling friction, fitted to a study's table.
 
-    angle = c0 + c1 s + c2 t + c3 s^2 + c4 s t + c5 t^2
+    angle = c0 + c1 s + c2 t + c3 s^2 + c4 s t + c5 t^2 + c6 s^2 t + c7 s t^2
 
-s and t are friction and rolling friction, or their logarithms, brought to -1 .. 1 over the table. A row
-that is a mean over n packings has the weight n. The scatter of one run is taken from the packings and
+s and t are friction and rolling friction, or their logarithms, or the reciprocal of friction (as grains
+roll before they slide, angles level off at high friction) and rolling friction, brought to -1 .. 1 over
+the table. A row that is a mean over n packings has the weight n. The scatter of one run is taken from the packings and
 from the rows' distances to the surface together, or from the latter alone if that is clearly more: then
 the surface does not fit, which `misfit` tells.
 """
@@ -13,7 +14,10 @@ import numpy as np
 from badInput import BadInput
 
 AXES = "friction", "rollingFriction"
-TERMS = 6
+TERMS = 8
+# What s and t are: a function of friction, one of rolling friction, each with its derivative.
+PLAIN, LOG, RECIPROCAL = (lambda x: x, np.ones_like), (np.log, lambda x: 1/x), (lambda x: 1/x, lambda x: -1/x**2)
+OVER = {"plain": (PLAIN, PLAIN), "logs": (LOG, LOG), "saturating": (RECIPROCAL, PLAIN)}
 LACK = 2.0  # ratio of the variances about the surface and among packings that is a misfit
 
 
@@ -52,8 +56,8 @@ class Points:
         return {key: rows[0][key] for key in keys}
 
     def checkGrid(self):
-        if len(self.y) < TERMS + 2:
-            raise BadInput(f"{self.name} has {len(self.y)} rows with {self.angle}; {TERMS + 2} or more are "
+        if len(self.y) < TERMS + 1:
+            raise BadInput(f"{self.name} has {len(self.y)} rows with {self.angle}; {TERMS + 1} or more are "
                            f"wanted for a surface over {AXES[0]} and {AXES[1]}.")
         for axis, key in enumerate(AXES):
             if len(set(self.x[:, axis])) < 3:
@@ -73,14 +77,22 @@ def scaled(x, low, high):
 
 def terms(s):
     s, t = s[..., 0], s[..., 1]
-    return np.stack([np.ones_like(s), s, t, s*s, s*t, t*t], axis=-1)
+    return np.stack([np.ones_like(s), s, t, s*s, s*t, t*t, s*s*t, s*t*t], axis=-1)
+
+
+def slopesOfTerms(s):
+    """With respect to s, and to t."""
+    s, t = s[..., 0], s[..., 1]
+    one, zero = np.ones_like(s), np.zeros_like(s)
+    return (np.stack([zero, one, zero, 2*s, t, zero, 2*s*t, t*t], axis=-1),
+            np.stack([zero, zero, one, zero, s, 2*t, s*s, 2*s*t], axis=-1))
 
 
 class Surface:
-    """The fit; `logs`: over the logarithms."""
+    """The fit; `over`: what s and t are, a key of OVER."""
 
-    def __init__(self, points, logs):
-        self.logs = logs
+    def __init__(self, points, over):
+        self.over = over
         self.low, self.high = ends(self.own(points.x))
         design = self.terms(points.x)
         root = np.sqrt(points.packings)
@@ -110,7 +122,8 @@ class Surface:
             self.variance, self.freedom = (aboutSurface + among)/(free + freeAmong), free + freeAmong
 
     def own(self, x):
-        return np.log(x) if self.logs else np.asarray(x, float)
+        x = np.asarray(x, float)
+        return np.stack([function(x[..., i]) for i, (function, _) in enumerate(OVER[self.over])], axis=-1)
 
     def terms(self, x):
         return terms(scaled(self.own(x), self.low, self.high))
@@ -121,12 +134,10 @@ class Surface:
     def slopes(self, x, coefficients=None):
         """Derivatives with respect to friction and rolling friction."""
         c = self.coefficients if coefficients is None else coefficients
-        c = [c[..., i] for i in range(TERMS)]
         x = np.asarray(x, float)
-        point = scaled(self.own(x), self.low, self.high)
-        s, t = point[..., 0], point[..., 1]
-        found = np.stack([c[1] + 2*c[3]*s + c[4]*t, c[2] + c[4]*s + 2*c[5]*t], axis=-1)
-        return found*2/(self.high - self.low)/(x if self.logs else 1)
+        both = slopesOfTerms(scaled(self.own(x), self.low, self.high))
+        inner = np.stack([slope(x[..., i]) for i, (_, slope) in enumerate(OVER[self.over])], axis=-1)
+        return np.stack([np.sum(rows*c, axis=-1) for rows in both], axis=-1)*inner*2/(self.high - self.low)
 
     def error(self, x):
         """Standard error of the surface itself."""
@@ -140,10 +151,10 @@ class Surface:
 
 
 def fit(points, axes="best"):
-    """Over the coefficients (plain), their logarithms (logs), or what fits better."""
+    """Over what `axes` says, a key of OVER, or over what fits best."""
     positive = (points.x > 0).all()
-    if axes == "logs" and not positive:
-        raise BadInput(f"{points.name} has a coefficient of zero, which has no logarithm: leave out "
-                       "--axes logs.")
-    choices = {"plain": [False], "logs": [True], "best": [False, True] if positive else [False]}[axes]
-    return min((Surface(points, logs) for logs in choices), key=lambda one: one.scatterAbout)
+    if axes not in ("best", "plain") and not positive:
+        raise BadInput(f"{points.name} has a coefficient of zero, which has no logarithm and no reciprocal: leave out "
+                       f"--axes {axes}.")
+    choices = (OVER if positive else ["plain"]) if axes == "best" else [axes]
+    return min((Surface(points, over) for over in choices), key=lambda one: one.scatterAbout)
