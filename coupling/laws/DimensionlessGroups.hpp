@@ -32,7 +32,7 @@ double airSensitivity(const DieFilling& filling);
 /// Y. Guo, K.D. Kafui, C.-Y. Wu, C. Thornton & J.P.K. Seville, AIChE J. 55 (2009) 49-62.
 constexpr double criticalAirSensitivity = 9.56e6;
 
-/// The air may be left out where zeta exceeds this. In a die air takes some 1.7 points off a filling ratio of 96 % at the
+/// The air may be left out where zeta exceeds this. In a die air takes some 1.8 points off a filling ratio of 96 % at the
 /// number above, and less than one from here on (foam_cases/dieFilling/studies, airSensitivity).
 constexpr double airlessSensitivity = 2*criticalAirSensitivity;
 
