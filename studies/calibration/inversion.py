@@ -145,6 +145,26 @@ def contradiction(q, x):
                     "take a wider grid.")
 
 
+def checkWhole(q, grid, mask, distance):
+    """The region must lie inside the grid and hang together."""
+    best = np.unravel_index(np.argmin(distance), distance.shape)
+    border = np.ones_like(mask)
+    border[1:-1, 1:-1] = False
+    border |= ~q.onGrid(grid)
+    if (mask & border).any():
+        ends = [(grid[mask][:, i].min(), grid[mask][:, i].max()) for i in (0, 1)]
+        raise tooLoose(q, "the region of 95 % confidence leaves the grid, where it reaches over "
+                       + " and ".join(f"{key} {low:.3g} to {high:.3g}"
+                                      for key, (low, high) in zip(AXES, ends)))
+    start = np.zeros_like(mask)
+    start[best] = True
+    rest = mask & ~grown(start, mask)
+    if rest.any():
+        other = grid[rest][np.argmin(distance[rest])]
+        raise BadInput(f"Two pairs give both angles, {pair(grid[best])} and {pair(other)}: take a smaller "
+                       "grid, around one of them.")
+
+
 def answer(question, draws=DRAWS, cells=CELLS):
     """The pair, or a sentence why there is none."""
     q = question
@@ -162,21 +182,7 @@ def answer(question, draws=DRAWS, cells=CELLS):
     if not (mask.any() or arrived):
         raise contradiction(q, grid[best])
     mask[best] = True
-    border = np.ones_like(mask)
-    border[1:-1, 1:-1] = False
-    border |= ~q.onGrid(grid)
-    if (mask & border).any():
-        ends = [(grid[mask][:, i].min(), grid[mask][:, i].max()) for i in (0, 1)]
-        raise tooLoose(q, "the region of 95 % confidence leaves the grid, where it reaches over "
-                       + " and ".join(f"{key} {low:.3g} to {high:.3g}"
-                                      for key, (low, high) in zip(AXES, ends)))
-    start = np.zeros_like(mask)
-    start[best] = True
-    rest = mask & ~grown(start, mask)
-    if rest.any():
-        other = grid[rest][np.argmin(distance[rest])]
-        raise BadInput(f"Two pairs give both angles, {pair(grid[best])} and {pair(other)}: take a smaller "
-                       "grid, around one of them.")
+    checkWhole(q, grid, mask, distance)
     if not arrived:
         raise tooLoose(q, f"at {pair(grid[best])} all depend on them in the same way")
     return withErrors(q, value, grid[mask], draws)

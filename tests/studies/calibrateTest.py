@@ -178,7 +178,6 @@ class Coefficients(Tables):
     def testAreCoveredWithOnePackingOnly(self):
         self.mostlyCovered(scatter=0.2, given=0.1, packings=1, axes="best")
 
-
     def testAreCoveredWithAKnownFriction(self):
         self.mostlyCovered(scatter=0.2, given=0.2, packings=3, friction=0.02)
 
